@@ -85,7 +85,7 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   DHPMAP_ASSIGN_OR_RETURN(const auto spill, SpillOf(config));
   DHPMAP_ASSIGN_OR_RETURN(
       const auto registry,
-      MapRegistry::Open(*store, SessionOptionsOf(config, metrics, records.get(), spill), RegistryOptionsOf(config)));
+      MapRegistry::Open(*store, OpenMapOptionsOf(config, metrics, records.get(), spill), RegistryOptionsOf(config)));
   for (const MapSummary& map : registry->List()) {
     if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
   }

@@ -67,7 +67,7 @@ Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config) {
   return OpenTileSpill(folder.empty() ? "." : folder);
 }
 
-SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records,
+OpenMapOptions OpenMapOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records,
                                 std::shared_ptr<TileSpill> spill) {
   const bool is_reproducible = config.mapping.reproducible;
   MakeRecorder make_recorder;
@@ -192,30 +192,30 @@ Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight
   gauges.num_pages_unreadable = pages.num_failures;
   gauges.page_read_ns = pages.read_ns;
   gauges.page_held_bytes = PageReaderBytes();
-  gauges.num_pages_let_go = pages.num_let_go;
+  gauges.num_pages_evicted = pages.num_evicted;
   gauges.num_spilled = pages.num_spilled;
   gauges.num_unspilled = pages.num_unspilled;
   gauges.spill_bytes = spill != nullptr ? spill->size_bytes() : 0;
-  for (const auto& session : registry.OpenSessions()) {
-    const auto view = session->View();
+  for (const auto& open_map : registry.OpenMaps()) {
+    const auto view = open_map->View();
     const MapStats stats = ComputeStats(view->snapshot(), /*with_voxels=*/false);
-    gauges.past_bytes += session->kept_states()->bytes();
+    gauges.past_bytes += open_map->history()->bytes();
     gauges.maps.push_back({.name = view->snapshot().info().name,
                            .num_submaps = stats.num_submaps,
                            .num_blocks = stats.num_tsdf_blocks,
                            .revision = view->snapshot().revision(),
                            .memory_bytes = stats.memory_bytes,
-                           .num_feeds = static_cast<std::int64_t>(session->num_feeds()),
-                           .behind_s = session->BehindSeconds(),
+                           .num_feeds = static_cast<std::int64_t>(open_map->num_feeds()),
+                           .behind_s = open_map->BehindSeconds(),
                            .block_bytes = CountedBlockBytes(stats)});
   }
   return gauges;
 }
 
 bool IsStoreBehind(const MapRegistry& registry, double max_behind_s) {
-  const auto sessions = registry.OpenSessions();
+  const auto sessions = registry.OpenMaps();
   return std::any_of(sessions.begin(), sessions.end(),
-                     [max_behind_s](const auto& session) { return session->BehindSeconds() > max_behind_s; });
+                     [max_behind_s](const auto& open_map) { return open_map->BehindSeconds() > max_behind_s; });
 }
 
 std::string WithPort(const std::string& address, int port) {

@@ -24,7 +24,7 @@ SqliteStoreOptions StoreOptionsOf(const ServerConfig& config);
 /// Null where nothing is recorded.
 Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config);
 /// `records` may be null, and outlives the sessions.
-SessionOptions SessionOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records,
+OpenMapOptions OpenMapOptionsOf(const ServerConfig& config, Metrics& metrics, RecordDir* records,
                                 std::shared_ptr<TileSpill> spill);
 RegistryOptions RegistryOptionsOf(const ServerConfig& config);
 /// Beside the database; null where memory has no budget.

@@ -6,7 +6,7 @@
 
 namespace dhpmap {
 
-// What every MapStore asks of a commit.
+// Preconditions of a commit for every MapStore.
 
 /// INVALID_ARGUMENT unless both are states of one map, the later one not older.
 Status ValidateCommit(const MapInfo& before, const MapInfo& after);

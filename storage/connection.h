@@ -12,21 +12,21 @@
 
 namespace dhpmap {
 
-/// Opens the connection that writes, creating or migrating the database. `progress` hears of what takes long.
-/// Errors as OpenSqliteStore.
+/// Opens the writing connection, creating or migrating the database. `progress` reports long work. Errors as
+/// OpenSqliteStore.
 Result<sqlite::Database> OpenWriter(const std::string& path, int busy_timeout_ms, const SchemaProgress& progress = {});
 
-/// A connection to the database of a writer, to copy its log into the file. It never waits for others.
+/// A connection to a writer's database for checkpoints of its log. It never waits for locks.
 Result<sqlite::Database> OpenForLog(const std::string& path);
 
-/// Connections that only read, each in use by one thread at a time, opened as they are needed. Thread-safe.
+/// A pool of read-only connections, each used by one thread at a time and opened on demand. Thread-safe.
 class ReaderPool {
  public:
   /// `mode` is one of the read-only ones.
   ReaderPool(std::string path, sqlite::OpenMode mode, int busy_timeout_ms)
       : path_(std::move(path)), mode_(mode), busy_timeout_ms_(busy_timeout_ms) {}
 
-  /// A connection on loan: goes back to the pool at the end of life.
+  /// A borrowed connection; its destructor returns it.
   class Lease {
    public:
     Lease(ReaderPool& pool, sqlite::Database database) : pool_(&pool), database_(std::move(database)) {}
@@ -53,7 +53,8 @@ class ReaderPool {
   std::vector<sqlite::Database> idle_ DHPMAP_GUARDED_BY(mutex_);
 };
 
-/// How a database that we may not write can be read: FAILED_PRECONDITION, NOT_FOUND or DATA_LOSS if it cannot.
+/// The mode in which a database without write permission can be read: FAILED_PRECONDITION, NOT_FOUND or DATA_LOSS if it
+/// cannot.
 Result<sqlite::OpenMode> ProbeReadOnly(const std::string& path, int busy_timeout_ms);
 
 }  // namespace dhpmap

@@ -7,8 +7,8 @@
 
 namespace dhpmap {
 
-/// A mutex that is had in the order in which it was asked for: who lets go of it and asks again comes after who waited.
-/// For work of milliseconds, since it passes from thread to thread by waking. Not recursive.
+/// A FIFO mutex: a thread that unlocks and locks again queues behind the waiting ones. For critical sections of
+/// milliseconds, because each handover wakes a thread. Not recursive.
 class DHPMAP_THREAD_ATTRIBUTE(capability("mutex")) FairMutex {
  public:
   FairMutex() = default;
@@ -26,7 +26,7 @@ class DHPMAP_THREAD_ATTRIBUTE(capability("mutex")) FairMutex {
     turn_.NotifyAll();
   }
 
-  /// Threads that have it or wait for it.
+  /// Threads that hold it or wait for it.
   [[nodiscard]] std::uint64_t num_in_line() {
     const MutexLock lock(mutex_);
     return next_ - present_;
@@ -35,11 +35,11 @@ class DHPMAP_THREAD_ATTRIBUTE(capability("mutex")) FairMutex {
  private:
   Mutex mutex_;
   CondVar turn_;
-  std::uint64_t next_ DHPMAP_GUARDED_BY(mutex_) = 0;     ///< number of who asks next
-  std::uint64_t present_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< of who has it
+  std::uint64_t next_ DHPMAP_GUARDED_BY(mutex_) = 0;     ///< ticket of the next caller
+  std::uint64_t present_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< ticket of the holder
 };
 
-/// Holds it from here to the end of the scope.
+/// Holds it until the end of the scope.
 class DHPMAP_THREAD_ATTRIBUTE(scoped_lockable) FairMutexLock {
  public:
   explicit FairMutexLock(FairMutex& mutex) DHPMAP_ACQUIRE(mutex) : mutex_(mutex) { mutex_.Lock(); }

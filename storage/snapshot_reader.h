@@ -12,17 +12,17 @@
 
 namespace dhpmap {
 
-/// How tiles are left on the disk until somebody reads them.
+/// Where to leave tiles on disk until they are requested.
 struct Paging {
   std::shared_ptr<TileBlobs> blobs;
-  /// Submaps of which some row does not say which blocks it has are read as a whole; else reading ends there.
+  /// Submaps with rows of unknown block occupancy are read completely; else reading stops there.
   bool reads_the_rest = true;
-  bool lacks_cells = false;  ///< outcome: there was one; see NoteTileCells
+  bool lacks_cells = false;  ///< result: there was one; see NoteTileCells
 };
 
-/// Reads a map within the caller's transaction; decodes on `pool`. Its tiles know that they are in `store`. Without
-/// `paging` (may be null) all of them are in memory. NOT_FOUND; DATA_LOSS naming map, submap, layer and tile where
-/// something is damaged or missing.
+/// Reads a map within the caller's transaction, decoding on `pool`. Its tiles get storage keys of `store`. Without
+/// `paging` (may be null) all are read into memory. NOT_FOUND; DATA_LOSS naming map, submap, layer and tile of damaged
+/// or missing data.
 Result<std::shared_ptr<const MapSnapshot>> ReadSnapshot(sqlite::Database& database, const std::string& name,
                                                         std::uint16_t store, ThreadPool& pool,
                                                         Paging* paging = nullptr);

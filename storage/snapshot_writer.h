@@ -13,23 +13,23 @@
 
 namespace dhpmap {
 
-/// Under which keys tiles in memory were stored by a transaction that may not have committed yet.
+/// Storage keys of tiles written by a transaction that may not have committed yet.
 class WrittenTiles {
  public:
-  using Keys = std::array<std::int64_t, kNumBlockLayers>;  ///< 0: that layer was not looked at
+  using Keys = std::array<std::int64_t, kNumBlockLayers>;  ///< 0: not written
 
   void Note(const BlockTile& tile, BlockLayer layer, std::int64_t key) {
     keys_[&tile][static_cast<std::size_t>(layer)] = key;
   }
   void NoteNewBlob() { ++num_new_blobs_; }
-  /// Blobs that were not there before.
+  /// Number of newly written blobs.
   [[nodiscard]] std::int64_t num_new_blobs() const { return num_new_blobs_; }
   /// 0 if it was not written.
   [[nodiscard]] std::int64_t Find(const BlockTile& tile, BlockLayer layer) const {
     const auto found = keys_.find(&tile);
     return found != keys_.end() ? found->second[static_cast<std::size_t>(layer)] : 0;
   }
-  /// Lets the tiles know, once it is certain: a key that was rolled back may be given out again.
+  /// Sets the keys in the tiles. Only after the commit: a key that was rolled back may be reused.
   void TellTiles(std::uint16_t store) const;
 
  private:
@@ -37,10 +37,9 @@ class WrittenTiles {
   std::int64_t num_new_blobs_ = 0;
 };
 
-/// Writes the submaps, tiles and blobs that `changes` name, within the caller's transaction; encodes on `pool`. What
-/// the tiles in memory know to be in `store` already is referred to instead. On error the caller rolls back.
-/// `recorder` (may be null) is told which blobs they were and are.
-/// FAILED_PRECONDITION if the stored tiles are not those that the changes started from.
+/// Writes the submaps, tiles and blobs of `changes`, within the caller's transaction, encoding on `pool`. Refers to
+/// blobs whose keys in `store` the tiles already have. On error the caller rolls back. `recorder` (may be null) records
+/// the blobs before and after. FAILED_PRECONDITION if the stored tiles are not those that the changes start from.
 Result<WrittenTiles> WriteChanges(sqlite::Database& database, std::int64_t map_key,
                                   const std::vector<SubmapTileChange>& changes, std::uint16_t store, ThreadPool& pool,
                                   EditTileRecorder* recorder = nullptr);

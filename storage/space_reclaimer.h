@@ -13,52 +13,52 @@
 
 namespace dhpmap {
 
-/// Deletes blobs that nothing refers to any more, then gives back to the file system what was deleted, and cuts the
-/// log, whoever filled it: in steps of some milliseconds between which commits go on, each a transaction of its own, so
-/// after a kill the next one goes on. Begins a thread when there is something to do.
+/// Deletes unreferenced blobs, returns free pages to the file system, and truncates the log, in steps of some
+/// milliseconds between commits. Each step is a transaction, so after a kill the next process continues. Starts a
+/// thread when there is work.
 class SpaceReclaimer {
  public:
-  /// How it gets at the connection that writes. Both wait for a commit that runs and keep others waiting.
+  /// Access to the writing connection. Both functions wait for a running commit and block others.
   struct Writer {
-    /// Runs its argument as one transaction, in its turn even where commits follow upon each other.
+    /// Runs its argument as one transaction, in its turn even under continuous commits.
     std::function<Status(const std::function<Status(sqlite::Database&)>&)> write;
-    /// Runs its argument while nothing is written.
+    /// Runs its argument while there is no write.
     std::function<Status(const std::function<Status()>&)> hold;
   };
 
   static constexpr std::int64_t kKeepAll = std::numeric_limits<std::int64_t>::max();
-  /// A log beyond is copied into the file and cut to nothing: well below what would make a commit copy it itself (see
+  /// A longer log is copied into the file and truncated: well below the length at which a commit would do it (see
   /// connection.cc). Some 1024 pages of 4 kB.
   static constexpr std::int64_t kMaxLogBytes = 4'200'000;
-  // A step keeps commits waiting: it does no more than this, and nothing more once it has taken kStep.
-  static constexpr std::int64_t kMaxAStep = 512;           ///< blobs, and as many pages
-  static constexpr std::int64_t kMaxBytesAStep = 2 << 20;  ///< of blobs; a larger one has a step of its own
+  // A step blocks commits, so it is limited to this amount and to the duration kStep.
+  static constexpr std::int64_t kMaxAStep = 512;           ///< number of blobs, and of pages
+  static constexpr std::int64_t kMaxBytesAStep = 2 << 20;  ///< bytes of blobs; a larger blob takes a step of its own
   static constexpr std::chrono::milliseconds kStep{10};
 
-  /// Free pages up to `num_spare_pages` stay, for what is stored next; kKeepAll where the file cannot shrink. `log` is
-  /// a connection of its own to the same database that never waits for others. Leaves alone the blobs that are `kept`,
-  /// if it is not null. All that is given here outlives it.
+  /// Keeps `num_spare_pages` free pages for the next commits; kKeepAll if the file cannot shrink. `log` is a separate
+  /// connection to the same database that never waits for locks. Does not delete `kept` blobs (may be null). All
+  /// arguments outlive this.
   SpaceReclaimer(Writer writer, sqlite::Database log, std::int64_t num_spare_pages, const KeptBlobs* kept = nullptr);
-  /// After the step that is being done.
+  /// Ends after the running step.
   ~SpaceReclaimer();
   SpaceReclaimer(const SpaceReclaimer&) = delete;
   SpaceReclaimer& operator=(const SpaceReclaimer&) = delete;
 
-  /// What a commit left to do.
+  /// Work left by a commit.
   struct Left {
     std::int64_t num_free_pages = 0;
     bool has_dead_blobs = false;
     std::int64_t log_bytes = 0;  ///< of the log's file
   };
-  /// To be told of it after each commit. Thread-safe; may be called from within `writer.write`.
+  /// Call after each commit. Thread-safe; may be called from within `writer.write`.
   void Notice(const Left& left);
 
   enum class Progress {
     kMore,
-    kBlocked,  ///< a reader, such as a backup, needs the log, or the disk is full: to be tried again later
+    kBlocked,  ///< a reader, such as a backup, pins the log, or the disk is full: retry later
     kDone,
   };
-  /// One step. For the thread, and for tests that have none.
+  /// One step; public for tests without a thread.
   Progress Step();
 
  private:
@@ -69,7 +69,7 @@ class SpaceReclaimer {
   Result<Work> CollectAndGiveBack(sqlite::Database& database);
   void Loop();
   Progress EmptyLog(Progress then);
-  /// Most of it, beside commits, where that is safe.
+  /// Copies most of the log while commits continue, if that is safe.
   Status CopyLog();
 
   const Writer writer_;
@@ -77,11 +77,11 @@ class SpaceReclaimer {
   const KeptBlobs none_kept_;
   const KeptBlobs& kept_;
 
-  // Of whoever steps.
+  // Used by the thread that runs a step.
   sqlite::Database log_;
-  std::chrono::steady_clock::duration kept_writer_{};  ///< by the last step
+  std::chrono::steady_clock::duration kept_writer_{};  ///< duration of the last step
   bool is_log_new_ = false;                            ///< nothing of it was copied yet
-  bool has_given_back_ = false;                        ///< the file is cut when the log is copied
+  bool has_given_back_ = false;                        ///< the file is truncated when the log is copied
 
   Mutex mutex_;
   CondVar wake_;

@@ -16,9 +16,8 @@ bool IsId(const std::string& text) {
 }  // namespace
 
 void AddAllowFlags(CLI::App& command, const std::string& parts, AllowFlags& flags) {
-  command.add_option(
-      "--allow-collision", flags.allowed,
-      "PART:WHAT [...]: link or attached id (empty: all of the robot), and the class or id it may touch");
+  command.add_option("--allow-collision", flags.allowed,
+                     "PART:TARGET [...]: a link or attached id (empty: the robot), and the class or id it may touch");
   command.add_option("--links", flags.links, "To which link each " + parts + " belongs, a name each");
 }
 

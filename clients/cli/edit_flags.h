@@ -27,6 +27,6 @@ struct EditFlags {
 
 /// Writes to `flags`, which must outlive the command. `of_what` the etag is; `who` the author is, for the help.
 void AddEditFlags(CLI::App& command, EditFlags& flags, const std::string& of_what,
-                  const std::string& who = "Who does it, for the log");
+                  const std::string& who = "Author, for the log");
 
 }  // namespace dhpmap

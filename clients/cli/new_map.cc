@@ -28,7 +28,7 @@ Status CheckClasses(const v1::Map& map, const Dataset& dataset) {
 }  // namespace
 
 void AddNewMapOptions(CLI::App& command, NewMap& map) {
-  command.add_option("--preset", map.preset, "For a new map: indoor or outdoor_lidar; default: what fits the data set");
+  command.add_option("--preset", map.preset, "For a new map: indoor or outdoor_lidar; default: by the data set");
   command
       .add_option("--set", map.settings,
                   "For a new map: KEY=VALUE, may be repeated; keys: map_defaults in deploy/dhpmap.yaml")

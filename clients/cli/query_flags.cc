@@ -10,7 +10,7 @@
 namespace dhpmap {
 
 void AddRevisionFlag(CLI::App& command, std::int64_t& read_revision) {
-  command.add_option("--read-revision", read_revision, "As it was at this revision, of the recent past");
+  command.add_option("--read-revision", read_revision, "Read this recent revision");
 }
 
 void AddAskerFlags(CLI::App& command, AskerFlags& flags) {
@@ -31,8 +31,8 @@ void AddWorldFlags(CLI::App& command, WorldFlags& flags) {
   command.add_option("--class", flags.class_names, "Names of the only classes to look at");
   command.add_option("--max-free-age-s", flags.max_free_age_s,
                      "Free space last seen more than this before the newest frame counts as unknown");
-  command.add_flag("--vacated-free", flags.vacated_is_free, "What moved and deleted objects have left is free");
-  command.add_flag("--include-absent", flags.include_absent, "Objects that are absent are there, too");
+  command.add_flag("--vacated-free", flags.vacated_is_free, "The old places of moved and deleted objects are free");
+  command.add_flag("--include-absent", flags.include_absent, "Include absent objects");
 }
 
 void AddQueryFlags(CLI::App& command, QueryFlags& flags) {
@@ -43,7 +43,7 @@ void AddQueryFlags(CLI::App& command, QueryFlags& flags) {
 void AddUnknownFlag(CLI::App& command, v1::QueryOptions::UnknownPolicy& policy) {
   static const std::map<std::string, v1::QueryOptions::UnknownPolicy> kPolicies = {
       {"occupied", v1::QueryOptions::OCCUPIED}, {"report", v1::QueryOptions::REPORT}, {"free", v1::QueryOptions::FREE}};
-  command.add_option("--unknown", policy, "What space that nobody has seen is: occupied, report, free")
+  command.add_option("--unknown", policy, "How to treat unseen space: occupied, report, free")
       ->transform(CLI::CheckedTransformer(kPolicies, CLI::ignore_case));
 }
 

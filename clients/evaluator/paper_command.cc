@@ -96,7 +96,7 @@ Status Run(const PaperOptions& options) {
 
 void AddPaperCommand(CLI::App& app, Status& status) {
   auto options = std::make_shared<PaperOptions>();
-  CLI::App& command = *app.add_subcommand("paper", "The paper's tables, ours beside its own numbers");
+  CLI::App& command = *app.add_subcommand("paper", "The paper's tables, with our numbers and its own");
   command.add_option("DATASET_DIR", options->directories, "Data sets with ground truth and predicted labels");
   command.add_option("--frames", options->num_frames, "First frames of each only; 0 = all")->capture_default_str();
   command.add_option("--set", options->settings, "key=value of the map's configuration, on top of the preset");

@@ -115,13 +115,13 @@ Status Run(const RelationsOptions& options) {
 
 void AddRelationsCommand(CLI::App& app, Status& status) {
   auto options = std::make_shared<RelationsOptions>();
-  CLI::App& command = *app.add_subcommand(
-      "relations", "Compare what maps tell of what is on, in or next to what with truth.json of dhpmap-simulate");
+  CLI::App& command =
+      *app.add_subcommand("relations", "Compare the relations of maps with truth.json of dhpmap-simulate");
   command.add_option("DATASET_DIR", options->directories, "Recordings of dhpmap-simulate")->required();
   command.add_option("--labels", options->labels, "Labels to map: predicted or groundtruth")->capture_default_str();
   command.add_option("--set", options->settings, "key=value of the map's configuration, on top of the preset");
   command.add_option("--threads", options->num_threads, "0 = one a core")->capture_default_str();
-  command.add_flag("--mistakes", options->lists_mistakes, "Also list what is wrong or missed");
+  command.add_flag("--mistakes", options->lists_mistakes, "Also list wrong and missed ones");
   command.callback([options, &status] { status = Run(*options); });
 }
 

@@ -66,7 +66,7 @@ int Run(int argc, char** argv) {
   app.add_option("--noise", options.noise_level, "How much depth and predictions err, 0 to 5")->capture_default_str();
   app.add_flag("--no-noise", no_noise, "Exact depth");
   app.add_flag("--no-predictions", no_predictions, "Ground truth labels only");
-  app.add_flag("--class-scores", options.has_class_scores, "Predictions say which classes the network thinks of");
+  app.add_flag("--class-scores", options.has_class_scores, "Predictions contain scores of several classes");
   app.add_option("--threads", num_threads, "0 = one a core")->check(CLI::Range(0, 1024))->capture_default_str();
   app.add_option("--plan", plan, "Also draw the apartment from above into this PNG file");
   app.add_flag("--quiet", is_quiet, "No progress");

@@ -5,9 +5,9 @@
 
 namespace dhpmap {
 
-/// What one thread writes often and another reads or writes beside it lies so far apart: else each takes the line from
-/// the other with every write, and two threads are no faster than one. That holds for the heads of vectors that grow,
-/// too. A thread's own copy, which is moved to where it belongs at the end, does as well.
+/// Alignment against false sharing: data that one thread writes often must not share a cache line with data of another
+/// thread, or two threads are no faster than one. This applies to the heads of growing vectors, too. A thread-local
+/// copy, moved to its place at the end, serves as well.
 inline constexpr std::size_t kCacheLineBytes = 64;
 
 }  // namespace dhpmap

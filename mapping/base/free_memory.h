@@ -6,20 +6,20 @@
 
 namespace dhpmap {
 
-/// Gives the system back what the allocator holds of memory that is free: after work that took far more than what is
-/// left of it, such as a refinement. Takes about a millisecond for 4 MB. Knows glibc's malloc and jemalloc; with
-/// others, such as those of the sanitizers, it may do nothing. Thread-safe.
+/// Returns free memory of the allocator to the system, after work such as a refinement with a high peak. About a
+/// millisecond for 4 MB. Supports glibc's malloc and jemalloc; may do nothing with others, such as those of sanitizers.
+/// Thread-safe.
 void GiveBackFreeMemory();
 
-/// What the allocator takes for one piece of so many bytes: more or less, where it is not jemalloc. Thread-safe.
+/// Heap bytes that an allocation of this size takes; approximate unless the allocator is jemalloc. Thread-safe.
 [[nodiscard]] std::size_t HeapBytesFor(std::size_t bytes);
 
 struct HeapUse {
-  std::size_t live_bytes = 0;      ///< handed out and not yet freed
-  std::size_t resident_bytes = 0;  ///< of the allocator, in RAM: with its book-keeping, gaps and what is kept for later
+  std::size_t live_bytes = 0;      ///< allocated and not yet freed
+  std::size_t resident_bytes = 0;  ///< of the allocator, in RAM, with metadata, gaps and caches
 };
 
-/// Nothing where the allocator is not jemalloc, as in programs under a sanitizer. Thread-safe.
+/// Nothing unless the allocator is jemalloc, as under a sanitizer. Thread-safe.
 [[nodiscard]] std::optional<HeapUse> HeapUseNow();
 
 }  // namespace dhpmap

@@ -10,18 +10,18 @@
 #include "mapping/base/status.h"
 #include "mapping/base/status_error.h"
 
-// For threads that must outlive whatever goes wrong in one job, such as an allocation that fails.
+// For threads that must survive any failure of one job, such as an allocation.
 namespace dhpmap {
 
-/// Its text is so short that it takes no memory.
+/// Its short text needs no allocation.
 inline Status OutOfMemory() { return ResourceExhausted("out of memory").WithReason("OUT_OF_MEMORY"); }
 
-/// Where the system gives no thread: for want of address space, too.
+/// The system cannot start a thread, for lack of address space, too.
 inline Status NoThread() {
   return ResourceExhausted("the system has no thread for this: try again later").WithReason("TOO_BUSY");
 }
 
-/// Of the exception that is being handled: OutOfMemory, NoThread, what a StatusError says, or INTERNAL for any other.
+/// For the exception that is being handled: OutOfMemory, NoThread, the status of a StatusError, or INTERNAL.
 inline Status StatusOfException() noexcept {
   try {
     throw;
@@ -46,7 +46,7 @@ inline Status StatusOfException() noexcept {
   }
 }
 
-/// What `work` gives, or StatusOfException if it throws.
+/// The result of `work`, or StatusOfException if it throws.
 template <typename Outcome, typename Work>
 Outcome Guarded(Work&& work) {
   try {
@@ -56,18 +56,18 @@ Outcome Guarded(Work&& work) {
   }
 }
 
-/// A copy, or OutOfMemory where there is none for its text: so whoever waits is answered.
+/// A copy, or OutOfMemory if its text cannot be allocated, so that a waiting caller is always answered.
 inline Status CopyOf(const Status& status) noexcept {
   return Guarded<Status>([&status] { return status; });
 }
 
-/// Tells somebody whose failure must not become the teller's: what `call` throws ends here.
+/// Calls back and swallows exceptions, for callees whose failure must not affect the caller.
 template <typename Call>
 void TellSafely(Call&& call) noexcept {
   try {
     std::forward<Call>(call)();
   } catch (...) {
-    // Whoever is called answers for it.
+    // The callee is responsible.
   }
 }
 

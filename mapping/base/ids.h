@@ -20,16 +20,16 @@ struct StrongId {
   constexpr StrongId operator++(int) { return StrongId(value++); }
 };
 
-/// Id of a submap and, the same thing, of the instance it holds: positive, unique in its map, never reused.
+/// Id of a submap and of its instance: positive, unique in its map, never reused.
 using SubmapId = StrongId<struct SubmapIdTag, std::uint32_t>;
-/// Submap 0 holds geometry whose object is not known; it never holds labels.
+/// Submap 0 holds geometry of unknown objects; it never holds labels.
 inline constexpr SubmapId kUnknownSubmap{0};
 
 /// A class of the map's label set.
 using ClassId = StrongId<struct ClassIdTag, std::uint16_t>;
 
-/// Id of a segment inside one frame (a pixel or point value). 0 means no prediction. Carries no meaning across frames
-/// unless the frame says that its ids are persistent.
+/// Id of a segment in one frame (a pixel or point value). 0 means no prediction. Without meaning across frames unless
+/// the frame has persistent ids.
 using SegmentId = StrongId<struct SegmentIdTag, std::uint32_t>;
 inline constexpr SegmentId kNoSegment{0};
 

@@ -36,7 +36,7 @@ class IndexMap {
   /// Returns whether it was there.
   bool Erase(Index index) {
     if (Find(index) == kNone) return false;
-    // Close the probe sequence: move back every later slot of the run that may sit in the hole.
+    // Closes the probe sequence: moves later slots of the run into the hole if they may be there.
     const std::size_t mask = slots_.size() - 1;
     std::size_t hole = SlotOf(index);
     slots_[hole].number = kNone;
@@ -71,7 +71,7 @@ class IndexMap {
 
   static std::size_t HashOf(Index index) { return BlockIndexHash{}(BlockIndex{index.x, index.y, index.z}); }
 
-  /// The slot that holds `index`, or the free one where it would go.
+  /// The slot that holds `index`, or the free slot for it.
   [[nodiscard]] std::size_t SlotOf(Index index) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = HashOf(index) & mask;

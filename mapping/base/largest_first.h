@@ -9,8 +9,7 @@
 
 namespace dhpmap {
 
-/// Items by descending size, equal ones in their order. A parallel loop that takes them so leaves no thread with a
-/// large one when all others are done.
+/// Indices by descending size, ties in order. A parallel loop in this order avoids a large item at the end.
 inline std::vector<std::size_t> LargestFirst(std::span<const std::size_t> sizes) {
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), 0);

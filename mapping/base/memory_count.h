@@ -13,19 +13,19 @@
 
 namespace dhpmap {
 
-/// What memory is for that the process counts where it is allocated.
+/// Purposes of memory that is counted at its allocation.
 enum class MemoryKind : std::uint8_t {
-  kBlocks,      ///< voxels of maps, of all states that anybody keeps
-  kRefinement,  ///< what a refinement works with, but the blocks that it writes
-  kMeshing,     ///< what a mesh is made with
-  kFusion,      ///< what a frame is taken apart with, kept from frame to frame
-  kTileRooms,   ///< in which threads make surfaces of tiles for queries, kept by the thread
-  kReserved,    ///< no memory: room of the budget for requests that was taken for what is counted elsewhere
+  kBlocks,      ///< voxels of maps, in all pinned states
+  kRefinement,  ///< working memory of refinements, without the blocks that they write
+  kMeshing,     ///< working memory of meshing
+  kFusion,      ///< buffers of fusion, reused between frames
+  kTileRooms,   ///< thread-local buffers for tile surfaces of queries
+  kReserved,    ///< no memory: part of the request budget reserved for memory that is counted elsewhere
 };
 inline constexpr std::size_t kNumMemoryKinds = 6;
 
-/// How much of one kind is allocated now, and was at most. Thread-safe; nothing throws. To count costs an atomic
-/// addition, so whole arrays are counted, never single voxels.
+/// Present and peak bytes of one kind. Thread-safe; nothing throws. Counting is an atomic addition, so it is done for
+/// whole arrays, never for single voxels.
 class alignas(64) MemoryCount {
  public:
   void Add(std::size_t bytes) noexcept {
@@ -37,13 +37,13 @@ class alignas(64) MemoryCount {
   void Remove(std::size_t bytes) noexcept { now_bytes_.fetch_sub(bytes, std::memory_order_relaxed); }
 
   [[nodiscard]] std::size_t now_bytes() const noexcept { return now_bytes_.load(std::memory_order_relaxed); }
-  /// Since the process began.
+  /// Peak since the process started.
   [[nodiscard]] std::size_t most_bytes() const noexcept { return most_bytes_.load(std::memory_order_relaxed); }
 
  private:
   std::atomic<std::size_t> now_bytes_{0}, most_bytes_{0};
 };
-// Threads give back what they keep when they end, which may be after everything else.
+// Threads release their buffers at exit, possibly after static destruction.
 static_assert(std::is_trivially_destructible_v<MemoryCount>);
 
 /// The process's count of a kind.
@@ -52,8 +52,7 @@ inline MemoryCount& CountOf(MemoryKind kind) noexcept {
   return counts[static_cast<std::size_t>(kind)];
 }
 
-/// Bytes that are counted while this lives: for memory whose owner knows its size, but does not allocate it itself.
-/// Thread-compatible.
+/// Counts bytes during its lifetime, for an owner that knows its size but does not allocate itself. Thread-compatible.
 class CountedBytes {
  public:
   explicit CountedBytes(MemoryKind kind, std::size_t bytes = 0) noexcept : kind_(kind), bytes_(bytes) {
@@ -65,7 +64,7 @@ class CountedBytes {
   CountedBytes& operator=(const CountedBytes&) = delete;
   CountedBytes& operator=(CountedBytes&&) = delete;
 
-  /// So many from now on.
+  /// Sets the number of bytes.
   void Set(std::size_t bytes) noexcept {
     if (bytes > bytes_) CountOf(kind_).Add(bytes - bytes_);
     else CountOf(kind_).Remove(bytes_ - bytes);
@@ -78,8 +77,7 @@ class CountedBytes {
   std::size_t bytes_;
 };
 
-/// std::allocator, counted: what it has handed out, and not yet got back, is in the count, also when an exception ends
-/// the work. For containers of few large pieces.
+/// std::allocator with counting; exact also when an exception ends the work. For containers of few large pieces.
 template <typename T, MemoryKind kKind>
 class CountedAllocator {
  public:
@@ -112,7 +110,7 @@ class CountedAllocator {
 template <typename T, MemoryKind kKind>
 using CountedVector = std::vector<T, CountedAllocator<T, kKind>>;
 
-/// For operator new and delete of a class whose objects are counted: `counted_bytes` is what one takes of the heap.
+/// For operator new and delete of a class with counted objects: `counted_bytes` is the heap size of one.
 [[nodiscard]] inline void* NewCounted(MemoryKind kind, std::size_t bytes, std::size_t counted_bytes) {
   void* const object = ::operator new(bytes);
   CountOf(kind).Add(counted_bytes);
@@ -123,7 +121,7 @@ inline void DeleteCounted(MemoryKind kind, void* object, std::size_t counted_byt
   CountOf(kind).Remove(counted_bytes);
 }
 
-/// What the contents of a vector take, room that is not used yet included.
+/// Bytes of a vector's buffer, including unused capacity.
 template <typename T, typename Allocator>
 [[nodiscard]] std::size_t CapacityBytes(const std::vector<T, Allocator>& items) {
   return items.capacity() * sizeof(T);  // NOLINT(bugprone-sizeof-expression): T may well be a pointer

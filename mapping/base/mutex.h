@@ -5,7 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 
-// What guards what, in words that clang's -Wthread-safety checks (deploy/check.sh thread-safety) and GCC skips.
+// Lock annotations, checked by clang's -Wthread-safety (deploy/check.sh thread-safety) and ignored by GCC.
 #if defined(__clang__)
 #define DHPMAP_THREAD_ATTRIBUTE(x) __attribute__((x))
 #else
@@ -14,7 +14,7 @@
 
 /// On a member: read and written only while the mutex is held.
 #define DHPMAP_GUARDED_BY(mutex) DHPMAP_THREAD_ATTRIBUTE(guarded_by(mutex))
-/// On a pointer: what it points to is read and written only while the mutex is held; the pointer itself is free.
+/// On a pointer: its target is read and written only while the mutex is held; the pointer itself is free.
 #define DHPMAP_PT_GUARDED_BY(mutex) DHPMAP_THREAD_ATTRIBUTE(pt_guarded_by(mutex))
 /// On a function, or a lambda after its parameters: called with the mutexes held, which are still held when it returns.
 #define DHPMAP_REQUIRES(...) DHPMAP_THREAD_ATTRIBUTE(requires_capability(__VA_ARGS__))
@@ -28,15 +28,15 @@
 #define DHPMAP_TRY_ACQUIRE(...) DHPMAP_THREAD_ATTRIBUTE(try_acquire_capability(__VA_ARGS__))
 /// On a function that returns a reference to the mutex.
 #define DHPMAP_RETURNS_MUTEX(mutex) DHPMAP_THREAD_ATTRIBUTE(lock_returned(mutex))
-/// On a mutex: whoever takes both takes this one first (checked by clang only with -Wthread-safety-beta).
+/// On a mutex: locked before the other if both are taken (clang checks it only with -Wthread-safety-beta).
 #define DHPMAP_ACQUIRED_BEFORE(...) DHPMAP_THREAD_ATTRIBUTE(acquired_before(__VA_ARGS__))
-/// On a function that is right for a reason that the analysis cannot see; the reason stands beside it.
+/// On a function that is correct for a reason that the analysis cannot see; a comment gives the reason.
 #define DHPMAP_NO_THREAD_SAFETY_ANALYSIS DHPMAP_THREAD_ATTRIBUTE(no_thread_safety_analysis)
 
 namespace dhpmap {
 
-/// std::mutex that the analysis knows. Not recursive. Take it with a MutexLock; Lock and Unlock are for what a scope
-/// cannot say, such as a function that REQUIRES the mutex and lets go of it while it works.
+/// std::mutex with annotations. Not recursive. Use a MutexLock; Lock and Unlock are for code that scopes cannot
+/// express, such as a function that REQUIRES the mutex and releases it while it works.
 class DHPMAP_THREAD_ATTRIBUTE(capability("mutex")) Mutex {
  public:
   Mutex() = default;
@@ -52,8 +52,7 @@ class DHPMAP_THREAD_ATTRIBUTE(capability("mutex")) Mutex {
   std::mutex mutex_;
 };
 
-/// Holds a mutex from here to the end of the scope. Unlock and Lock give it up and take it again in between, each only
-/// in its turn. Belongs to one thread.
+/// Holds a mutex until the end of the scope. Unlock and Lock release and retake it in between, alternately. One thread.
 class DHPMAP_THREAD_ATTRIBUTE(scoped_lockable) MutexLock {
  public:
   explicit MutexLock(Mutex& mutex) DHPMAP_ACQUIRE(mutex) : mutex_(mutex) { mutex_.Lock(); }
@@ -74,14 +73,14 @@ class DHPMAP_THREAD_ATTRIBUTE(scoped_lockable) MutexLock {
 
  private:
   Mutex& mutex_;
-  bool is_held_ = true;  // the compiler drops it where nobody calls Unlock
+  bool is_held_ = true;  // optimised away unless Unlock is called
 };
 
-/// std::condition_variable over a Mutex. Every wait is called with the mutex held, lets go of it while it sleeps, and
-/// holds it again when it returns. All waiters at one time use the same mutex. Waits without a condition may return
-/// early, so they stand in a loop; a condition is called with the mutex held, and a lambda says so:
+/// std::condition_variable over a Mutex. Every wait is called with the mutex held, releases it while sleeping, and
+/// holds it on return. Concurrent waiters use the same mutex. Waits without a condition may wake spuriously, so put
+/// them in a loop. A condition runs with the mutex held, and a lambda says so:
 ///     wake_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !tasks_.empty(); });
-/// Times are of the steady clock, so that setting the system's clock neither ends nor prolongs a wait.
+/// Times are of the steady clock, so adjusting the system clock does not affect waits.
 class CondVar {
  public:
   using Clock = std::chrono::steady_clock;
@@ -99,7 +98,7 @@ class CondVar {
     held.release();
   }
 
-  /// False if it ended because `end` has come.
+  /// False if it returned because of `end`.
   bool WaitUntil(Mutex& mutex, Clock::time_point end) DHPMAP_REQUIRES(mutex) {
     std::unique_lock<std::mutex> held(mutex.mutex_, std::adopt_lock);
     const std::cv_status status = condition_.wait_until(held, end);
@@ -107,20 +106,19 @@ class CondVar {
     return status == std::cv_status::no_timeout;
   }
 
-  /// False if it ended because the time was up. `time` is years at most: now and it must fit in the clock.
+  /// False on timeout. `time` must not overflow the clock: at most years.
   bool WaitFor(Mutex& mutex, Clock::duration time) DHPMAP_REQUIRES(mutex) {
     return WaitUntil(mutex, Clock::now() + time);
   }
 
-  // With a condition. The analysis cannot see that its mutex is the `mutex` given here: where the condition is written,
-  // it checks both.
+  // With a condition. The analysis cannot see that the condition's mutex is `mutex`; it checks both at the call.
 
   template <typename Condition>
   void Wait(Mutex& mutex, Condition holds) DHPMAP_REQUIRES(mutex) DHPMAP_NO_THREAD_SAFETY_ANALYSIS {
     while (!holds()) Wait(mutex);
   }
 
-  /// Whether the condition holds, which may be so although `end` has come.
+  /// Whether the condition holds, possibly after `end`.
   template <typename Condition>
   bool WaitUntil(Mutex& mutex, Clock::time_point end, Condition holds)
       DHPMAP_REQUIRES(mutex) DHPMAP_NO_THREAD_SAFETY_ANALYSIS {
@@ -130,7 +128,7 @@ class CondVar {
     return true;
   }
 
-  /// Whether the condition holds, which may be so although the time is up.
+  /// Whether the condition holds, possibly after the timeout.
   template <typename Condition>
   bool WaitFor(Mutex& mutex, Clock::duration time, Condition holds)
       DHPMAP_REQUIRES(mutex) DHPMAP_NO_THREAD_SAFETY_ANALYSIS {

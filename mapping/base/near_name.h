@@ -7,16 +7,16 @@
 
 namespace dhpmap {
 
-/// How many letters are missing, too many, others, or exchanged with their neighbour, where ASCII case does not count:
-/// 1 for "sofaa" and "sofa", "sfoa" and "sofa".
+/// Edit distance: missing, additional, different or transposed letters, ignoring ASCII case: 1 for "sofaa" and "sofa",
+/// "sfoa" and "sofa".
 int SpellingDistance(std::string_view a, std::string_view b);
 
-/// Of `names` the one that somebody who wrote `wrong` is likeliest to have meant: it begins so, or no more than a third
-/// of its letters differ. Of equals the first; empty if none is near. Looks at the first 1,000 names, and at no more
-/// than 40 letters, so that it may be asked for what strangers send.
+/// The most likely intended name among `names`: one with that prefix, or with at most a third of its letters different.
+/// Ties: the first; empty if none is near. Considers the first 1,000 names and 40 letters only, so it is safe for
+/// untrusted input.
 std::string NearestName(std::string_view wrong, std::span<const std::string> names);
 
-/// "; did you mean 'sofa'?" for the end of an error message, or nothing.
+/// "; did you mean 'sofa'?" for the end of an error message, or an empty string.
 std::string DidYouMean(std::string_view wrong, std::span<const std::string> names);
 
 }  // namespace dhpmap

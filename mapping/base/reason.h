@@ -11,14 +11,14 @@
 
 namespace dhpmap {
 
-/// One reason why something failed.
+/// One cause of errors.
 struct ReasonRow {
-  std::string_view name;     ///< what clients see: google.rpc.ErrorInfo.reason
-  StatusCode code;           ///< it comes with; kOk: with that of its cause, or as the meaning says
+  std::string_view name;     ///< google.rpc.ErrorInfo.reason, as clients see it
+  StatusCode code;           ///< its code; kOk: that of its cause, or as the meaning says
   std::string_view meaning;  ///< for people
 };
 
-/// Every reason there is, by room. Names are part of the API: they never change their meaning.
+/// All reasons, by room. Names are part of the API: they never change their meaning.
 inline constexpr ReasonRow kReasonTable[] = {
     // Maps.
     {"MAP_NOT_FOUND", StatusCode::kNotFound, "there is no map of this name, or no longer"},
@@ -99,6 +99,7 @@ inline constexpr ReasonRow kReasonTable[] = {
      "the log of a map's edits, or what undoes one, is damaged; the map is not"},
     {"NEWER_LAYER", StatusCode::kFailedPrecondition, "a stored map has a layer or an encoding of a newer version"},
     {"NEWER_CONFIG", StatusCode::kFailedPrecondition, "a stored map's config is of a newer version"},
+    {"RETIRED_CONFIG", StatusCode::kFailedPrecondition, "a stored map uses a setting that this version no longer has"},
     {"STALE_REVISION", StatusCode::kFailedPrecondition, "a commit starts from another revision than the one stored"},
     {"STALE_STATE", StatusCode::kFailedPrecondition, "a commit starts from another state than the one stored"},
     {"BAD_SCHEMA", StatusCode::kDataLoss, "the database lacks a part of its schema"},
@@ -167,8 +168,8 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"KEY_NOT_FOUND", StatusCode::kNotFound, "the file has no such key"},
 };
 
-/// A reason of the table above, or none. Made from its name, such as WithReason("MAP_NOT_FOUND"), which does not
-/// compile for a name that the table lacks. Value type.
+/// A reason of the table, or none. WithReason("MAP_NOT_FOUND") does not compile for a name that is not in the table.
+/// Value type.
 class Reason {
  public:
   constexpr Reason() = default;
@@ -177,7 +178,7 @@ class Reason {
     if (row_ == kNone) IsNotInTheTable();
   }
 
-  /// The reason of a name that came from outside; none if the table lacks it.
+  /// Finds a reason by a name from outside; none if unknown.
   static constexpr Reason Find(std::string_view name) {
     Reason reason;
     reason.row_ = RowOf(name);
@@ -187,7 +188,7 @@ class Reason {
   [[nodiscard]] constexpr bool empty() const { return row_ == kNone; }
   /// Empty for none.
   [[nodiscard]] constexpr std::string_view name() const { return empty() ? std::string_view() : Row().name; }
-  /// Whether it comes with `code`; none comes with any.
+  /// Whether it may come with `code`; an empty reason may come with any.
   [[nodiscard]] constexpr bool Allows(StatusCode code) const {
     return empty() || Row().code == StatusCode::kOk || Row().code == code;
   }

@@ -5,8 +5,8 @@
 
 namespace dhpmap {
 
-/// For a refinement's working memory that grows with the voxels or blocks it works on: counted as
-/// MemoryKind::kRefinement from its allocation on. Blocks that a refinement writes are the map's, and counted there.
+/// Working memory of a refinement that grows with its voxels or blocks, counted as MemoryKind::kRefinement. Blocks that
+/// a refinement writes belong to the map and count there.
 template <typename T>
 using ScratchAllocator = CountedAllocator<T, MemoryKind::kRefinement>;
 template <typename T>

@@ -9,7 +9,7 @@
 
 namespace dhpmap {
 
-/// A T, or the Status that says why there is none. Never holds an OK status without a value.
+/// A T, or the Status of its failure. Never holds an OK status without a value.
 template <typename T>
 class [[nodiscard]] Result {
  public:

@@ -10,14 +10,14 @@
 
 namespace dhpmap {
 
-/// ParallelFor with working memory: body(i, scratch) for every i in [0, count), where no two threads get the same
-/// scratch at a time. What it holds from earlier items must not change what item i gives.
+/// ParallelFor with scratch memory: body(i, scratch) for every i in [0, count), with a scratch for each thread. Its
+/// content from earlier items must not affect item i.
 template <typename Scratch, typename Body>
 void ParallelForWithScratch(ThreadPool& pool, std::size_t count, std::vector<Scratch>& scratch, const Body& body) {
   static_assert(alignof(Scratch) >= kCacheLineBytes, "those of two threads lie side by side");
   const auto num_lanes = static_cast<std::size_t>(pool.num_threads());
   if (scratch.size() < num_lanes) scratch.resize(num_lanes);
-  struct alignas(kCacheLineBytes) Counter {  // a line of its own: what lies beside it every thread reads
+  struct alignas(kCacheLineBytes) Counter {  // on its own cache line: every thread reads its neighbours
     std::atomic<std::size_t> next{0};
   } counter;
   pool.ParallelFor(num_lanes, [&](std::size_t lane) {

@@ -17,8 +17,8 @@ inline void InPlace(std::size_t count, const std::function<void(std::size_t)>& b
   for (std::size_t i = 0; i < count; ++i) body(i);
 }
 
-/// The same of many items that take long, some at a time, so that who helps is let go for what else there is to do.
-/// After a `stop` requested meanwhile some are left.
+/// The same for many long items in batches, so that helpers become free for other work in between. Some are left out
+/// after a `stop` request.
 inline void InParts(std::size_t count, const Spread& spread, const std::stop_token& stop,
                     const std::function<void(std::size_t)>& body) {
   constexpr std::size_t kAtOnce = 64;

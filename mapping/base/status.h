@@ -16,8 +16,8 @@ struct FieldViolation {
   std::string description;
 };
 
-/// Outcome of an operation that can fail. The message says what, which id and the value; it never holds SQL or a
-/// server-side path that a client may not see. Value type; thread-compatible.
+/// Outcome of an operation that can fail. The message names the problem, the id and the value; it never holds SQL or a
+/// server-side path. Value type; thread-compatible.
 class [[nodiscard]] Status {
  public:
   Status() = default;
@@ -34,11 +34,11 @@ class [[nodiscard]] Status {
   [[nodiscard]] const std::vector<FieldViolation>& violations() const { return violations_; }
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& metadata() const { return metadata_; }
 
-  /// The table of reasons allows the reason to come with this code.
+  /// The reason must allow this code.
   Status& WithReason(Reason reason) &;
   Status&& WithReason(Reason reason) &&;
   Status&& WithViolation(std::string field, std::string description) &&;
-  /// What the reason means here: google.rpc.ErrorInfo.metadata.
+  /// Details of the reason: google.rpc.ErrorInfo.metadata.
   Status&& WithMetadata(std::string key, std::string value) &&;
   void AddViolation(std::string field, std::string description);
   /// For logs only, not for clients: such as what an exception said.

@@ -9,8 +9,8 @@
 
 namespace dhpmap {
 
-/// A failure below code that has no way to answer it, such as voxels that cannot be read from the disk: thrown through
-/// the thread pool to whoever answers the caller, who tells the status (see StatusOfException).
+/// A failure in code that cannot return it, such as an unreadable voxel block: thrown through the thread pool to the
+/// code that answers the caller with its status (StatusOfException).
 class StatusError final : public std::exception {
  public:
   /// Not OK.

@@ -6,8 +6,7 @@
 
 namespace dhpmap {
 
-/// Thrown by work that takes long, once it is told to stop: through the thread pool, to whoever can go back to the
-/// state before.
+/// Thrown by long work after a stop request: through the thread pool, to code that can roll back.
 class Stopped final : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override { return "told to stop"; }

@@ -3,24 +3,22 @@
 
 namespace dhpmap {
 
-/// What top, ps and debuggers show of the calling thread: a literal of at most 15 characters.
+/// Name of the calling thread in top, ps and debuggers: a literal of at most 15 characters.
 void NameThisThread(const char* name);
 
-/// Lowers the priority of the calling thread for good, by so many steps of niceness: 10 leave a busy core to others
-/// nine times in ten. Threads that it starts are as nice. Needs no rights; to be less nice than the process needs some,
-/// and is never asked for. 0 or less changes nothing.
+/// Permanently lowers the priority of the calling thread by this many steps of niceness: 10 leave a busy core to others
+/// nine times in ten. New threads inherit it. Needs no privileges. 0 or less has no effect.
 void MakeThisThreadNicer(int by);
-/// Whether it was: then others may have its core for long, and whoever is not should not wait for what it does. Knows
-/// nothing of niceness that was inherited.
+/// Whether MakeThisThreadNicer was called: such a thread may be preempted for long, so threads of normal priority must
+/// not wait for it (priority inversion). Ignores inherited niceness.
 bool IsThisThreadNicer();
 
-/// How long a thread runs before others that wait for its core have their turn.
+/// Length of a thread's time slices.
 enum class Turns { kOrdinary, kShort };
 
-/// For the calling thread, and those that it starts afterwards. With kShort it gets a busy core as soon as it has
-/// something to do instead of after the turns of others, for a tenth of a millisecond at a time: for what is short and
-/// waited for. Over time it gets no more than others. Needs no rights. False where the kernel does not offer it (Linux
-/// does from 6.12 on): all turns are ordinary then.
+/// For the calling thread and those that it starts later. With kShort it preempts others on a busy core as soon as it
+/// has work, for a tenth of a millisecond at a time: for short work that others wait for. Its total share stays the
+/// same. Needs no privileges. False if the kernel does not support it (Linux 6.12 and later do).
 bool TakeTurns(Turns turns);
 
 }  // namespace dhpmap

@@ -9,7 +9,7 @@ namespace dhpmap {
 
 /// Offset of the first byte that is not part of well-formed UTF-8, or npos.
 std::size_t FindInvalidUtf8(std::string_view text);
-/// Every such byte replaced by '?': for what an error message quotes.
+/// Replaces every such byte by '?', for quotes in error messages.
 std::string ToValidUtf8(std::string_view text);
 
 }  // namespace dhpmap

@@ -15,8 +15,8 @@
 
 namespace dhpmap {
 
-// What is told of the difference between two states of a map to those who follow it: values, which outlive both. Kept
-// by the store, so numbers are never reused.
+// The difference between two states of a map as watchers see it: values that outlive both states. Stored, so numbers
+// are never reused.
 
 enum class ChangeKind : std::uint8_t { kCreated = 1, kChanged = 2, kRemoved = 3, kMerged = 4 };
 
@@ -49,62 +49,63 @@ struct TileBox {
   constexpr bool operator==(const TileBox&) const = default;
 };
 
-/// What of a submap decides whether somebody wants to hear of it.
+/// Properties of a submap that filters of watchers use.
 struct SubmapPlace {
   Panoptic panoptic = Panoptic::kUnknown;
   ClassId class_id;
   BoundingSphere sphere;  ///< in the map frame
 };
 
-/// Where an object was put: boxes along the axes of the map frame around its outline (OutlineInMap).
+/// Move of an object: axis-aligned boxes in the map frame around its outline (OutlineInMap).
 struct PoseBoxes {
-  Eigen::AlignedBox3d before_m;  ///< around its present surface at its pose before
+  Eigen::AlignedBox3d before_m;  ///< around its present surface at the earlier pose
   Eigen::AlignedBox3d after_m;
 };
 
-/// What became of one submap.
+/// The change of one submap.
 struct SubmapEvent {
   ChangeKind kind = ChangeKind::kChanged;
-  SubmapParts parts;                  ///< of kChanged; none: its revision alone
-  SubmapInfo info;                    ///< as it is now; of one that is gone, as it was last; without `before`, its id
-  BoundingSphere observed;            ///< SphereOfObservedInMap as it is now; empty: of one that is gone, too
-  std::int64_t num_blocks = 0;        ///< as it is now
-  std::vector<TileBox> tiles;         ///< that hold all changes of kGeometry, in its own grid; none of kCreated
-  SubmapId into;                      ///< of kMerged: what it is a part of now
-  std::optional<SubmapPlace> before;  ///< with the sphere around its blocks; none of what was not in the state before
-  std::optional<PoseBoxes> pose_boxes = std::nullopt;  ///< of kPose, if it has a surface that can be read
+  SubmapParts parts;            ///< of kChanged; none: only its revision
+  SubmapInfo info;              ///< present values; of a removed one, the last ones; without `before`, only its id
+  BoundingSphere observed;      ///< present SphereOfObservedInMap; empty for a removed submap, too
+  std::int64_t num_blocks = 0;  ///< present number
+  std::vector<TileBox> tiles;   ///< contain all changes of kGeometry, in its own grid; none for kCreated
+  SubmapId into;                ///< of kMerged: the successor
+  std::optional<SubmapPlace> before;                   ///< with the sphere around its blocks; none if it is new
+  std::optional<PoseBoxes> pose_boxes = std::nullopt;  ///< of kPose, if it has a readable surface
 };
 
 enum class RegionEventKind : std::uint8_t { kCleared = 1, kKeptClear = 2, kLifted = 3 };
 
-/// What became of a part of space.
+/// The change of a region of space.
 struct RegionEvent {
   RegionEventKind kind = RegionEventKind::kCleared;
-  Region region = {};                 ///< of kLifted: as it was
+  Region region = {};                 ///< of kLifted: its last shape
   std::string name = {};              ///< of kKeptClear and kLifted
-  SubmapId submap = {};               ///< of kCleared: of this one alone; the unknown submap: of more than one
-  std::vector<ClassId> classes = {};  ///< of kCleared without a submap: of these alone, by ascending id; empty: of all
-  std::int64_t num_voxels = 0;        ///< of kCleared: that were observed and are no more
+  SubmapId submap = {};               ///< of kCleared: the only object that was cleared; the unknown submap for several
+  std::vector<ClassId> classes = {};  ///< of kCleared without a submap: the only classes cleared, ascending; empty: all
+  std::int64_t num_voxels = 0;        ///< of kCleared: observed voxels that were removed
 };
 
-/// What became of a map from one state that was stored to the next.
+/// The change from one stored state of a map to the next.
 struct MapChange {
-  std::int64_t first_revision = 0;                         ///< the one after the state before
-  std::int64_t last_revision = 0;                          ///< of the state after; what was between is told as one
-  std::int64_t time_ns = 0;                                ///< UTC, of the state after
-  std::optional<std::string> display_name = std::nullopt;  ///< of the map, if that has changed
+  std::int64_t first_revision = 0;  ///< the first after the earlier state
+  std::int64_t last_revision = 0;   ///< that of the later state; revisions between are merged into one change
+  std::int64_t time_ns = 0;         ///< UTC, of the later state
+  std::optional<std::string> display_name = std::nullopt;  ///< of the map, if it has changed
   std::vector<SubmapEvent> submaps;                        ///< by ascending id
-  std::vector<RegionEvent> regions = {};  ///< cleared, in the order of the edits; then lifted, then kept clear, by name
+  std::vector<RegionEvent> regions =
+      {};  ///< cleared, in the order of the edits; then no longer ignored, then ignored, by name
 };
 
-/// Of one submap no more than so many; beyond, one box around them all.
+/// At most this many boxes a submap; beyond, one box around them all.
 inline constexpr std::size_t kMaxTileBoxes = 32;
 
-/// `submaps` is DiffTiles of the two states. `cleared`: what cannot be told from them.
+/// `submaps` is DiffTiles of the two states. `cleared`: regions that cannot be derived from them.
 MapChange DescribeChange(const StateMarks& before, const MapSnapshot& after,
                          const std::vector<SubmapTileChange>& submaps, const std::vector<RegionEvent>& cleared = {});
 
-/// In memory, roughly.
+/// Approximate memory.
 std::size_t BytesOf(const MapChange& change);
 
 }  // namespace dhpmap

@@ -10,17 +10,17 @@
 
 namespace dhpmap {
 
-// The difference between two states of a map, both sides of it: what it takes to go from either to the other. Free
-// space, which edits leave alone, is no part of it.
+// The difference between two states of a map, with both sides, so that either can be made from the other. Without free
+// space, which edits do not change.
 
-/// A tile of a submap. Of each side the layers that differ; null: it had none of them.
+/// A tile of a submap: for each side the layers that differ; null: none of them.
 struct TileDelta {
   TileIndex index;
   BlockLayers differs{};
   std::shared_ptr<const BlockTile> before, after;
 };
 
-/// All of a submap but its blocks.
+/// All of a submap except its blocks.
 struct SubmapRowState {
   SubmapInfo info;
   BoundingSphere sphere;
@@ -28,17 +28,17 @@ struct SubmapRowState {
 
 struct SubmapDelta {
   SubmapId id;
-  std::optional<SubmapRowState> before, after;  ///< nothing: it was not there
+  std::optional<SubmapRowState> before, after;  ///< nothing: it did not exist
   std::vector<TileDelta> tiles;
 };
 
-/// A tile of the vacated space; null: it was not there.
+/// A tile of the vacated space; null: it did not exist.
 struct VacatedDelta {
   TileIndex index;
   std::shared_ptr<const FreeTile> before, after;
 };
 
-/// Of lists: the entries that one side has and the other has not, or has otherwise.
+/// For lists: the entries that the other side lacks or has with another value.
 template <typename Entry>
 struct ListDelta {
   std::vector<Entry> before, after;
@@ -50,14 +50,14 @@ struct StateDelta {
   std::vector<VacatedDelta> vacated;
   ListDelta<ObjectPair> pairs;
   ListDelta<MergedId> merged;
-  ListDelta<std::string> display_name;  ///< of the map: one of each, or none
+  ListDelta<std::string> display_name;  ///< of the map: one on each side, or none
   ListDelta<KeptClearRegion> kept_clear;
 };
 
-/// All of the difference between two states but its tiles: submaps that are not the same object in both.
+/// The difference between two states without tiles: submaps that are different objects in the two.
 StateDelta DiffRows(const MapSnapshot& before, const MapSnapshot& after);
 
-/// Adds the tiles, as they are in memory: for who keeps the states.
+/// Adds the tiles as they are in memory, for callers that keep both states.
 void AddTiles(const MapSnapshot& before, const MapSnapshot& after, StateDelta& delta);
 
 }  // namespace dhpmap

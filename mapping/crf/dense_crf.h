@@ -11,21 +11,21 @@
 
 namespace dhpmap {
 
-/// A voxel as the CRF sees it.
+/// A point of the CRF: a voxel.
 struct CrfPoint {
-  Eigen::Vector3f position_m;  ///< against any origin; single precision must hold it to a fraction of a kernel's width
+  Eigen::Vector3f
+      position_m;  ///< relative to any origin near enough for single precision at a fraction of a kernel's width
   Color color;
 };
 
-/// One Gaussian kernel k_m with its weight w_m (eq. (5)): how far and how strongly the label of a point speaks for
-/// others.
+/// One Gaussian kernel k_m with its weight w_m (eq. (5)): range and strength of a point's influence on others.
 struct CrfKernel {
   double position_m = 0;  ///< standard deviation in space
   double color = 0;       ///< standard deviation of each of r, g and b, in 0..255; not used by the smoothness kernel
-  double weight = 0;      ///< against the point's own unaries; 0 switches the kernel off
+  double weight = 0;      ///< relative to the point's own unaries; 0 disables the kernel
 };
 
-/// Sizes of the lattices and the time they took, for reports; 0 where a kernel is off.
+/// Sizes of the lattices and their build times, for reports; 0 for disabled kernels.
 struct CrfBuildReport {
   std::size_t num_smoothness_vertices = 0, num_appearance_vertices = 0;
   double sort_s = 0, smoothness_s = 0, appearance_s = 0;

@@ -11,18 +11,18 @@
 
 namespace dhpmap {
 
-/// The submaps that a refinement may give voxels to, and what a voxel has seen of them: an instance that is none of
-/// them (absent, in view, placed by somebody, no longer there) cannot hold it. Immutable, thread-safe.
+/// The submaps that a refinement may assign voxels to. Counts of other instances (absent, in view, placed by an edit,
+/// removed) are ignored. Immutable, thread-safe.
 class KnownInstances {
  public:
-  /// Those of `ids` that are in the map and share its grid (IsExclusive).
+  /// The subset of `ids` that exists in the map and shares its grid (IsExclusive).
   KnownInstances(std::span<const SubmapId> ids, const Map& map);
 
   /// Ascending.
   [[nodiscard]] const std::vector<SubmapId>& ids() const { return ids_; }
   [[nodiscard]] bool Has(SubmapId id) const { return std::binary_search(ids_.begin(), ids_.end(), id); }
 
-  /// Calls visit(SubmapCount) for those that the voxel has seen, by their ids.
+  /// Calls visit(SubmapCount), by ascending id, for each of them with counts in the voxel.
   template <typename Visitor>
   void Visit(SubmapId holder, const LabelBlock& labels, int linear, Visitor&& visit) const {
     labels.VisitInstances(linear, [&](InstanceCount seen) {
@@ -31,7 +31,7 @@ class KnownInstances {
     });
   }
 
-  /// Where the voxel belongs by what it has seen alone: ties go to the smaller id. To who holds it if it has seen none.
+  /// The one with the most counts in the voxel (ties: the smaller id); the holder if there is none.
   [[nodiscard]] SubmapId MostSeen(SubmapId holder, const LabelBlock& labels, int linear) const;
 
  private:

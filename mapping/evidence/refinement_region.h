@@ -11,8 +11,8 @@
 
 namespace dhpmap {
 
-/// A cube of 8 x 8 x 8 blocks of the map's grid: what the CRF solves at once. With 12 blocks a side PQ is the same
-/// within 0.004, and twice the memory.
+/// A cube of 8 x 8 x 8 blocks of the map's grid: one CRF problem. With 12 blocks a side PQ is equal within 0.004, and
+/// memory doubles.
 inline constexpr int kCubeSideLog2 = 3, kCubeSide = 1 << kCubeSideLog2;
 struct CubeIndex {
   std::int32_t x = 0, y = 0, z = 0;
@@ -21,7 +21,7 @@ struct CubeIndex {
 
 constexpr CubeIndex CubeOf(BlockIndex b) { return {b.x >> kCubeSideLog2, b.y >> kCubeSideLog2, b.z >> kCubeSideLog2}; }
 
-/// The part of a map that is refined at once: some of its cubes. Immutable, thread-safe.
+/// The cubes of a map that are refined together. Immutable, thread-safe.
 class RefinementRegion {
  public:
   explicit RefinementRegion(std::span<const CubeIndex> cubes);

@@ -10,12 +10,12 @@
 
 namespace dhpmap {
 
-/// An object is one cohesive thing (paper II-E): islands of a few voxels that lie apart from it, left behind by waving
-/// outlines on the wall behind, go to the submap that holds most of the voxels around them. They are a percent of its
-/// voxels and double its bounding box. An island is stray if it has at most 16 voxels and less than a tenth of the
-/// largest one's. Only things among `ids`, which label management has made exclusive, lose voxels; what nobody else
-/// touches stays. The counts of the old and new instance are exchanged, so all sums are conserved. Does not depend on
-/// the number of threads. Returns how many voxels changed hands.
+/// Objects are cohesive (paper II-E): islands of a few voxels apart from an object, left on the wall behind by
+/// jittering outlines, go to the submap that holds most of the voxels around them. They are about 1 % of the voxels but
+/// double the bounding box. An island is stray with at most 16 voxels and less than a tenth of the largest part. Only
+/// things among `ids`, made exclusive by label management, lose voxels; voxels without neighbours of another submap
+/// stay. Counts of the old and the new instance are exchanged, so all sums are conserved. Independent of the number of
+/// threads. Returns how many voxels moved.
 std::int64_t AbsorbStrayVoxels(std::span<const SubmapId> ids, Map& map, ThreadPool& pool);
 
 }  // namespace dhpmap

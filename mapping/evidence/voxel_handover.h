@@ -11,23 +11,22 @@
 
 namespace dhpmap {
 
-/// What refinement concludes of a voxel: which submap holds it from now on. `from`, which holds it, may be `to`.
+/// A conclusion of refinement: the submap that holds a voxel from now on. `from`, the present holder, may equal `to`.
 struct Handover {
   BlockIndex block;
   std::uint16_t linear;
   SubmapId from, to;
-  bool is_concluded;  ///< against what the voxel has seen most (LabelBlock::IsConcluded)
+  bool is_concluded;  ///< against the voxel's counts (LabelBlock::IsConcluded)
 };
 
-/// Moves voxels, all that they have seen with them: counts, weights and averages go along as they are, so nothing that
-/// was observed is lost or counted anew. Where `to` holds something at the position it is merged as in label
-/// management. Where positions are not exclusive, one of the handovers of a voxel is done, that of the smallest `from`.
-/// All submaps are in the map and hold what they hand over; nothing goes to the unknown one. Spheres and
-/// totals of what changed are recomputed. The result does not depend on the order of the list or the number of threads.
+/// Moves voxels with all their data: counts, weights and averages, so no observation is lost or counted twice. At
+/// positions that `to` holds already, they are merged as in label management. If positions are not exclusive, only the
+/// handover of the smallest `from` is done for a voxel. All submaps must exist and hold the voxels; `to` is never the
+/// unknown submap. Recomputes spheres and totals. Independent of the order of the list and of the number of threads.
 void HandOver(ScratchVector<Handover> handovers, Map& map, ThreadPool& pool);
 
-/// Throws away what refinement has concluded of the submaps `ids`: each voxel goes back to the submap among them that
-/// it has seen most (see KnownInstances::MostSeen). Returns how many there were.
+/// Drops the conclusions of refinement in the submaps `ids`: each voxel returns to the submap among them with the most
+/// counts (KnownInstances::MostSeen). Returns how many conclusions were dropped.
 std::int64_t ForgetConclusions(std::span<const SubmapId> ids, Map& map, ThreadPool& pool);
 
 }  // namespace dhpmap

@@ -19,16 +19,15 @@ struct FreeTileEntry {
   std::uint64_t generation = 0;          ///< of the writer that made it; see FreeSpace
 };
 
-/// The free-space layer of a map: which voxels of the map's own grid (map frame, MapConfig::voxel_size_m) sensors have
-/// looked through. What is in none of its tiles is unknown, unless a submap has a surface there: a TSDF holds
-/// +-truncation and cannot tell free from unseen. A voxel may be looked through and have a surface beside it; whoever
-/// answers lets the surface win.
+/// The free-space layer of a map: the voxels of the map's own grid (map frame, MapConfig::voxel_size_m) that sensors
+/// have looked through. Voxels outside all tiles are unknown unless a submap has a surface there: a TSDF holds
+/// +-truncation and cannot tell free from unseen. If a voxel is both free and at a surface, the surface wins.
 ///
-/// Copying shares the tiles. A writer names its generation, which must be new after each copy (see BlockTable): a tile
-/// of another generation is copied before it is written to. Thread-compatible.
+/// Copying shares the tiles. A writer names its generation, which must be new after each copy (see BlockTable): it
+/// copies a tile of another generation before it writes to it. Thread-compatible.
 class FreeSpace {
  public:
-  /// A tile's stamp is renewed once it is so far behind, so that standing still writes little.
+  /// A tile's stamp is renewed only when it is this old, so that a standing robot writes little.
   static constexpr std::int64_t kStampStep_ns = 1'000'000'000;
 
   explicit FreeSpace(std::uint64_t generation = 0) : generation_(generation) {}
@@ -38,7 +37,7 @@ class FreeSpace {
     const FreeTile* tile = Find(TileOf(BlockOf(voxel)));
     return tile != nullptr && tile->IsFree(CellOf(BlockOf(voxel)), LinearIndex(voxel));
   }
-  /// Null if nothing of that tile is free. Valid until the layer is next written to.
+  /// Null if nothing in that tile is free. Valid until the layer is next written to.
   [[nodiscard]] const FreeTile* Find(TileIndex index) const {
     const std::uint32_t number = numbers_.Find(index);
     return number == kNone ? nullptr : tiles_[number].tile.get();
@@ -51,19 +50,19 @@ class FreeSpace {
   [[nodiscard]] std::span<const FreeTileEntry> tiles() const { return tiles_; }
   [[nodiscard]] std::int64_t NumFreeVoxels() const;
 
-  /// Whether a look at `stamp_ns` must renew the stamp of `tile`.
+  /// Whether a view at `stamp_ns` must renew the stamp of `tile`.
   [[nodiscard]] static bool IsStale(const FreeTile& tile, std::int64_t stamp_ns);
-  /// Adds what a look found free. Writes nothing if it was free already and the tile's stamp is not stale. Returns
+  /// Adds the free voxels of a view. Writes nothing if all were free already and the tile's stamp is recent. Returns
   /// whether anything was written.
   bool Add(TileIndex index, const FreeBlocks& seen, std::int64_t stamp_ns);
   /// Puts a tile in place as it is (a loaded map). Not null, not empty.
   void Put(TileIndex index, std::shared_ptr<const FreeTile> tile);
-  /// Returns whether it was there.
+  /// Returns whether the tile was there.
   bool Erase(TileIndex index);
-  /// Makes every tile count as shared, whatever its generation: for two copies that go on with the same one.
+  /// Marks every tile as shared, whatever its generation: for two copies that continue with the same generation.
   void ShareTiles();
 
-  /// Called by Map when this copy starts to be written in a new generation.
+  /// Called by Map before this copy is written in a new generation.
   void set_generation(std::uint64_t generation) { generation_ = generation; }
   [[nodiscard]] std::uint64_t generation() const { return generation_; }
 
@@ -77,14 +76,14 @@ class FreeSpace {
   std::uint64_t generation_;
 };
 
-/// What a reader of `before` must be told to hold `after`.
+/// The difference that takes a reader from `before` to `after`.
 struct FreeSpaceChange {
-  std::vector<const FreeTileEntry*> written;  ///< of `after`, not the same object as before
+  std::vector<const FreeTileEntry*> written;  ///< tiles of `after` that are other objects than before
   std::vector<TileIndex> erased;
   [[nodiscard]] bool empty() const { return written.empty() && erased.empty(); }
 };
 
-/// Compares by identity of the tiles. `before` may be null.
+/// Compares tiles by identity. `before` may be null.
 FreeSpaceChange DiffFreeSpace(const FreeSpace* before, const FreeSpace& after);
 
 }  // namespace dhpmap

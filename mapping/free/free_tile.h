@@ -16,28 +16,27 @@ namespace dhpmap {
 /// The free voxels of one block.
 using FreeMask = VoxelMask;
 
-/// What one look found free in a tile: to be added to what was.
+/// Free voxels of a tile as found by one view.
 struct FreeBlocks {
-  std::uint64_t full = 0;                     ///< bit c: all of the block at cell c (CellOf)
-  std::uint64_t mixed = 0;                    ///< bit c: what masks[c] says; none of `full`
-  std::array<FreeMask, kTileBlocks> masks{};  ///< those of `mixed` are meaningful
+  std::uint64_t full = 0;                     ///< bit c: the whole block at cell c (CellOf) is free
+  std::uint64_t mixed = 0;                    ///< bit c: masks[c] applies; disjoint from `full`
+  std::array<FreeMask, kTileBlocks> masks{};  ///< valid for the cells of `mixed`
 
   [[nodiscard]] bool empty() const { return (full | mixed) == 0; }
 };
 
-/// Which voxels of a tile sensors have looked through. A bit for a block that is free as a whole, 64 bytes for one that
-/// is so in part: a share of a bit a voxel. Every combination of voxels has one form, so equal tiles compare equal.
-/// Thread-compatible.
+/// The voxels of a tile that sensors have looked through: a bit for a fully free block, 64 bytes for a partly free one;
+/// less than a bit a voxel. The form is unique, so equal tiles compare equal. Thread-compatible.
 class FreeTile {
  public:
   [[nodiscard]] bool empty() const { return (full_ | mixed_) == 0; }
   /// Bit c: every voxel of the block at cell c is free.
   [[nodiscard]] std::uint64_t full() const { return full_; }
-  /// Bit c: some voxels of the block at cell c are, and some are not.
+  /// Bit c: some but not all voxels of the block at cell c are free.
   [[nodiscard]] std::uint64_t mixed() const { return mixed_; }
   /// Of the mixed blocks, by ascending cell; none is all zeros or all ones.
   [[nodiscard]] std::span<const FreeMask> masks() const { return masks_; }
-  /// When it was last looked through, by the sensor's clock; may be a little behind, see FreeSpace.
+  /// Sensor clock of the last view through the tile; may lag a little, see FreeSpace.
   [[nodiscard]] std::int64_t last_seen_ns() const { return last_seen_ns_; }
 
   /// `linear`: the voxel in the block, see LinearIndex.
@@ -51,11 +50,11 @@ class FreeTile {
   [[nodiscard]] FreeMask MaskOf(int cell) const;
   [[nodiscard]] std::int64_t NumFreeVoxels() const;
 
-  /// Whether everything of `seen` is free already.
+  /// Whether all of `seen` is free already.
   [[nodiscard]] bool Holds(const FreeBlocks& seen) const;
-  /// Adds what was seen. Strong exception safety.
+  /// Adds free voxels. Strong exception safety.
   void Add(const FreeBlocks& seen);
-  /// Takes voxels out. Strong exception safety.
+  /// Removes voxels. Strong exception safety.
   void Remove(const FreeBlocks& gone);
   void set_last_seen_ns(std::int64_t stamp_ns) { last_seen_ns_ = stamp_ns; }
 
@@ -64,7 +63,7 @@ class FreeTile {
   bool operator==(const FreeTile&) const = default;
 
  private:
-  /// Makes the blocks of `full` full and those of `in_part` what change(cell, mask) makes of their mask.
+  /// Makes the blocks of `full` full, and replaces the masks of those of `in_part` by change(cell, mask).
   template <typename Change>
   void Rewrite(std::uint64_t full, std::uint64_t in_part, Change&& change);
   [[nodiscard]] std::size_t PositionOf(int cell) const {

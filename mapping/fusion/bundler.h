@@ -21,31 +21,31 @@ class FrameTally;
 struct PointRun;
 struct RunsOfSegment;
 
-/// Groups the points of a frame by segment and end voxel. Keeps its buffers from frame to frame, but for those of a
-/// frame that has too many cells or that failed; they are counted as MemoryKind::kFusion. Thread-compatible.
+/// Groups the points of a frame by segment and end voxel. Reuses its buffers, except those of a frame with too many
+/// cells or a failure. They count as MemoryKind::kFusion. Thread-compatible.
 class Bundler {
  public:
   Bundler(const IntegrationConfig& config, ThreadPool& pool);
   ~Bundler();
 
-  /// Every valid point in range, on the grid of `voxel_size_m` to which `T_grid_sensor` leads. The result holds only
-  /// segments with points, first that of unknown objects, then by table row; it stays valid until the next call. The
-  /// same for any number of threads, and the caller's to change. The frame must be valid (ValidateFrame). Of one with
-  /// more than kMaxBlocksAFrame cells, CutShortSegments: no more cells than these are made, and all are freed again.
+  /// Bundles every valid point in range, on the grid of `voxel_size_m` in the frame of `T_grid_sensor`. The result
+  /// holds only segments with points: first the unknown object, then by table row. It is valid until the next call, the
+  /// same for any number of threads, and the caller may change it. The frame must be valid (ValidateFrame). A frame
+  /// with more than kMaxBlocksAFrame cells gives CutShortSegments, without allocating more cells.
   std::vector<SegmentBundles>& BundleFrame(const PanopticFrame& frame, const Transform& T_grid_sensor,
                                            double voxel_size_m);
-  /// All memory it keeps from frame to frame; the last result goes with it.
+  /// Frees all buffers, and with them the last result.
   void GiveBuffersBack() noexcept;
 
  private:
-  /// What a thread works on a segment with.
+  /// A thread's scratch memory for a segment.
   struct alignas(kCacheLineBytes) Room {
     std::vector<std::uint32_t> cell_of;
     TangentPlaneRoom planes;
   };
 
   void BundleSegments(const PanopticFrame& frame, double voxel_size_m, FrameTally& tally);
-  /// An empty segment each; those with the most runs in what held the largest of the last frame.
+  /// Assigns an empty segment to each; segments with the most runs get the largest buffers of the last frame.
   void HandOutSegments(const std::vector<RunsOfSegment>& ranges, std::span<const std::size_t> by_size);
   [[nodiscard]] std::size_t BufferBytes() const;
 
@@ -56,7 +56,7 @@ class Bundler {
   std::vector<const PointRun*> sorted_runs_;
   std::vector<Room> rooms_;
   std::vector<SegmentBundles> segments_;
-  CountedBytes counted_{MemoryKind::kFusion};  ///< the buffers, as they were after the last frame
+  CountedBytes counted_{MemoryKind::kFusion};  ///< size of the buffers after the last frame
 };
 
 }  // namespace dhpmap

@@ -11,11 +11,11 @@
 
 namespace dhpmap {
 
-/// Walks the voxels that a ray crosses, in order (Amanatides and Woo 1987). All lengths start at the sensor's origin,
-/// which lies `offset_vox` (0..1) inside `base`.
+/// Traverses the voxels on a ray, in order (Amanatides and Woo 1987). Lengths start at the sensor's origin, which lies
+/// `offset_vox` (0..1) inside `base`.
 class GridRay {
  public:
-  /// `direction`: unit. Needs from_m <= to_m.
+  /// `direction` is a unit vector; from_m <= to_m.
   GridRay(VoxelIndex base, const Eigen::Vector3f& offset_vox, const Eigen::Vector3f& direction, float voxel_size_m,
           float from_m, float to_m)
       : base_(base) {
@@ -37,25 +37,25 @@ class GridRay {
     }
   }
 
-  /// How many voxels the ray crosses; Next may be called one time fewer.
+  /// Number of voxels on the ray; call Next one time fewer.
   [[nodiscard]] int num_voxels() const { return num_voxels_; }
   [[nodiscard]] VoxelIndex voxel() const { return {base_.x + index_[0], base_.y + index_[1], base_.z + index_[2]}; }
-  /// The voxel centre's distance from the origin, measured along the ray.
+  /// Distance of the voxel's centre from the origin, projected onto the ray.
   [[nodiscard]] float CentreAlongRay_m() const { return centre_along_m_; }
 
-  /// The centre of the voxel it is in, from the sensor's origin.
+  /// Centre of the current voxel, relative to the sensor's origin.
   [[nodiscard]] Eigen::Vector3f Centre_m(const Eigen::Vector3f& offset_vox, float voxel_size_m) const {
     const Eigen::Vector3f corner_vox(static_cast<float>(index_[0]), static_cast<float>(index_[1]),
                                      static_cast<float>(index_[2]));
     return (corner_vox + Eigen::Vector3f::Constant(0.5f) - offset_vox) * voxel_size_m;
   }
-  /// -1 or 1: which way it goes along an axis.
+  /// Direction along an axis: -1 or 1.
   [[nodiscard]] int Sense(int axis) const { return step_[axis]; }
 
-  /// Returns the axis along which it went on.
+  /// Steps to the next voxel; returns the axis of the step.
   int Next() {
     const int axis = t_next_[0] < t_next_[1] ? (t_next_[0] < t_next_[2] ? 0 : 2) : (t_next_[1] < t_next_[2] ? 1 : 2);
-    for (int i = 0; i < 3; ++i) {  // all of them: to write one and read all soon after would wait for the write
+    for (int i = 0; i < 3; ++i) {  // all three: a read of all soon after a single write would stall on store forwarding
       index_[i] += i == axis ? step_[i] : 0;
       t_next_[i] += i == axis ? t_step_[i] : 0.0f;
     }
@@ -74,7 +74,7 @@ class GridRay {
   int num_voxels_ = 1;
 };
 
-/// How far the centre of the voxel that a ray is in lies before a plane, kept up step by step.
+/// Distance from a plane to the centre of the current voxel, updated incrementally; positive in front of it.
 class DistanceToPlane {
  public:
   DistanceToPlane(const GridRay& ray, const Eigen::Vector3f& offset_vox, float voxel_size_m,

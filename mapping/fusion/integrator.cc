@@ -154,17 +154,14 @@ void FillLane(const Bundle& bundle, BlockIndex block, const RayOrigin& origin, s
 /// Updates one submap with the bundles of one segment.
 class SegmentUpdate {
  public:
-  SegmentUpdate(const SegmentBundles& segment, const LabelHistograms& votes, const IntegrationConfig& config,
+  SegmentUpdate(const SegmentBundles& segment, std::optional<ClassId> label, const IntegrationConfig& config,
                 Submap& submap, KeptClearVoxels* kept_clear)
-      : votes_(votes),
-        has_votes_(!votes.classes.empty()),
-        class_id_(static_cast<std::uint16_t>(has_votes_ ? votes.classes[0].id : 0)),
-        is_one_sighting_(has_votes_ && votes == LabelHistograms::OfClass(class_id_)),
+      : label_(label),
         anti_grazing_(config.anti_grazing),
         rule_(MakeRule(config, submap)),
         voxel_size_m_(static_cast<float>(submap.info().voxel_size_m)),
         submap_(submap),
-        neighbourhood_(segment, has_votes_, submap, kept_clear) {}
+        neighbourhood_(segment, label.has_value(), submap, kept_clear) {}
 
   /// Throws Stopped.
   void AddAll(const SegmentBundles& segment, const RayOrigin& origin, const std::stop_token& stop) {
@@ -221,7 +218,9 @@ class SegmentUpdate {
       if (anti_grazing_ && here.ends != nullptr && voxel != end && IsIn(here.ends->ends, linear)) continue;
       if (!Update(walked_.distance_m[step][lane], bundle.weight, color, voxel, here)) continue;
       ++num_updates_;
-      if (has_votes_ && (code & WalkedVoxels::kLabelled) != 0) AddVotes(linear, *here.labels);
+      if (!label_ || (code & WalkedVoxels::kLabelled) == 0) continue;
+      here.labels->AddObservation(linear, *label_);
+      ++num_labelled_;
     }
     const Eigen::Vector3f end_m = bundle.weighted_sum_m / bundle.weight;
     if (GrazedColumns::AreNeeded(bundle.plane, end_m.normalized())) AddColumns(bundle, end_m, color, lane);
@@ -263,17 +262,7 @@ class SegmentUpdate {
     return UpdateVoxel(sdf_m, weight, color, rule_, *here.tsdf, static_cast<std::size_t>(linear));
   }
 
-  void AddVotes(int linear, LabelBlock& labels) {
-    if (is_one_sighting_) labels.AddObservation(linear, class_id_);
-    else labels.AddVotes(linear, votes_);
-    ++num_labelled_;
-  }
-
-  const LabelHistograms& votes_;
-  const bool has_votes_;
-  // One sighting of one class, as nearly all are, is known before the loop.
-  const ClassId class_id_;
-  const bool is_one_sighting_;
+  const std::optional<ClassId> label_;
   const bool anti_grazing_;
   const UpdateRule rule_;
   const float voxel_size_m_;
@@ -294,16 +283,13 @@ RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
     : voxel(VoxelAt(p_grid_m, voxel_size_m)),
       offset_vox((p_grid_m / voxel_size_m - Eigen::Vector3d(voxel.x, voxel.y, voxel.z)).cast<float>()) {}
 
-std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, const LabelHistograms& votes,
+std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> label,
                               const IntegrationConfig& config, Submap& submap, const std::stop_token& stop,
                               KeptClearVoxels* kept_clear) {
   if (segment.is_cut_short) throw std::bad_alloc();  // it was too much for memory: the frame fails as a whole
-  SegmentUpdate update(segment, votes, config, submap, kept_clear);
+  SegmentUpdate update(segment, label, config, submap, kept_clear);
   update.AddAll(segment, origin, stop);
-  if (update.num_labelled() == 0) return update.num_updates();
-  for (const LabelCount& vote : votes.classes) {
-    submap.AddClassObservations(ClassId(static_cast<std::uint16_t>(vote.id)), update.num_labelled() * vote.count);
-  }
+  if (update.num_labelled() != 0) submap.AddClassObservations(*label, update.num_labelled());
   return update.num_updates();
 }
 

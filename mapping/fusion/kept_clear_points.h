@@ -8,8 +8,8 @@
 
 namespace dhpmap {
 
-/// The frame, which is valid, without the points that lie in a region that is kept clear: pixels without a return, and
-/// a scan without these points. Nothing if there are none. Costs what the regions cover of the frame.
+/// The (valid) frame without the points in ignored regions: their pixels have no return, a scan omits them. Nothing if
+/// there are none. Time is linear in the part of the frame that the regions cover.
 std::optional<PanopticFrame> WithoutKeptClear(const PanopticFrame& frame, const KeptClear& kept_clear);
 
 }  // namespace dhpmap

@@ -10,16 +10,16 @@
 
 namespace dhpmap {
 
-/// The voxels of a submap's grid that have their centres in regions that are kept clear. Block by block, as somebody
-/// asks. Thread-compatible; has a view of the regions.
+/// The voxels of a submap's grid with their centres in ignored regions, computed by block on demand. Thread-compatible;
+/// refers to the regions.
 class KeptClearVoxels {
  public:
   KeptClearVoxels(const KeptClear& kept_clear, const SubmapInfo& info)
       : kept_clear_(kept_clear), T_map_submap_(info.T_map_submap), voxel_size_m_(info.voxel_size_m) {}
 
-  /// Whether there may be one in the block or one of the 26 around it.
+  /// Whether the block or one of its 26 neighbours may contain one.
   [[nodiscard]] bool MayBeAround(BlockIndex block) const;
-  /// Null if the block has none. Valid as long as this is.
+  /// Null if the block has none. Valid as long as this.
   const VoxelMask* In(BlockIndex block);
 
  private:

@@ -10,19 +10,20 @@
 
 namespace dhpmap {
 
-/// How a body touches a triangle, in the frame of both.
+/// Contact of a body with a triangle, in the frame of both.
 struct BodyTouch {
-  /// The way along the triangle's normal, or from it to the body's axis, that would take the body off it. Not negative.
+  /// Shortest translation along the triangle's normal, or from it to the body's axis, that ends the contact. Not
+  /// negative.
   double depth_m;
   Eigen::Vector3d point;   ///< on the triangle
   Eigen::Vector3d normal;  ///< of the triangle, unit, to its front
-  bool is_through;         ///< the triangle goes through the axis of a capsule, or into a box without its padding
+  bool is_through;         ///< the triangle intersects the axis of a capsule, or a box without its padding
   double distance_m = 0;   ///< from the axis, or the box
-  double slant = 0;        ///< of the way from the triangle to there against its plane: 1 straight away from it
+  double slant = 0;        ///< component of that direction along the triangle's normal: 1 is perpendicular
 
-  /// Whether this tells more of how deep the body is in the surface that both triangles are of: the least way out, if
-  /// the surface goes through it, else the way to what is nearest. Of triangles with a common edge or corner, the one
-  /// from which it goes away straightest tells the side.
+  /// Whether this contact describes the penetration of the common surface better: the shortest way out if the surface
+  /// passes through the body, else the nearest point. Among triangles with a common edge or corner, the most
+  /// perpendicular one determines the side.
   [[nodiscard]] bool TellsMoreThan(const BodyTouch& other) const {
     constexpr double kSame_m = 1e-6;
     if (is_through != other.is_through) return is_through;
@@ -32,13 +33,12 @@ struct BodyTouch {
   }
 };
 
-/// Whether a body, grown by padding_m, has a point with a triangle in common, and if so how. Exact to rounding in
-/// single precision of the triangle's coordinates: a few metres at most. A triangle without an area is not touched.
+/// The contact of a body, grown by padding_m, with a triangle, if they intersect. Exact up to single-precision rounding
+/// of coordinates of a few metres. A triangle without an area has no contact.
 std::optional<BodyTouch> TouchOf(const Capsule& capsule, const TriangleCorners& triangle, double padding_m);
 std::optional<BodyTouch> TouchOf(const OrientedBox& box, const TriangleCorners& triangle, double padding_m);
 
-/// Of a segment (which may be a point) and a triangle the points that are nearest to each other; the same one, where
-/// it goes through.
+/// The closest points of a segment (possibly a point) and a triangle; equal if they intersect.
 struct NearestPoints {
   Eigen::Vector3d on_segment, on_triangle;
   double distance2;

@@ -18,62 +18,59 @@
 
 namespace dhpmap {
 
-/// Boxes in a tree of eight children a node, for questions about a place. What the boxes hold is the caller's: it knows
-/// them by their number in the list the tree was made of. Below the nodes lie leaves, of one box each or of eight that
-/// are close together. Thread-compatible.
+/// A bounding volume hierarchy of boxes with eight children a node. Callers identify boxes by their index in the input
+/// list. Leaves hold one box, or eight that are close together. Thread-compatible.
 class BoxTree {
  public:
   static constexpr std::size_t kLanes = 8;
 
   BoxTree() = default;
-  /// Finite boxes, none empty; fewer than 2^32. Takes n log n. Leaf i holds items() from i * leaf_size (1 or kLanes)
-  /// on, of the last one what there is.
+  /// Finite, non-empty boxes; fewer than 2^32. O(n log n). Leaf i holds items() from i * leaf_size (1 or kLanes) on;
+  /// the last leaf may hold fewer.
   explicit BoxTree(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_size = 1);
 
-  /// Puts another box into a leaf; the tree stays as it is, and is the worse for it the farther that lies from the old
-  /// one. Only for leaves of one box.
+  /// Replaces the box of a leaf without rebuilding the tree; queries slow down with the distance from the old box. Only
+  /// for leaves of one box.
   void Replace(std::size_t leaf, const Eigen::AlignedBox3f& box);
 
   [[nodiscard]] bool empty() const { return items_.empty(); }
-  /// Around all; empty for none.
+  /// Bounds of all boxes; empty for none.
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
-  /// The boxes' numbers in the order in which they lie in the tree: those close together in space are close here.
+  /// Indices of the boxes in tree order: boxes close in space are close here.
   [[nodiscard]] std::span<const std::uint32_t> items() const { return items_; }
   [[nodiscard]] std::size_t MemoryBytes() const;
 
-  /// That wait in a search depth first: at most seven siblings on each level, and 8^11 > 2^32.
+  /// Stack size of a depth-first search: at most seven siblings on each level, and 8^11 > 2^32.
   static constexpr std::size_t kMostPending = 11 * kLanes;
 
-  // For searches of their own: nodes by height, 1 for those whose children are leaves; a node's children are
-  // kLanes * node + lane, one lower.
+  // For custom searches. Height 1 has leaves as children; the children of a node are kLanes * node + lane, one lower.
 
-  /// Of the root, whose node is 0; 0: there is none.
+  /// Height of the root, which is node 0; 0 without a root.
   [[nodiscard]] std::uint32_t height() const { return height_; }
-  /// Squared distances of a node's children from a point. Returns which are no farther than a finite limit, a bit each;
-  /// never one that is not there.
+  /// Squared distances of a node's children from a point. Returns a bit for each existing child within a finite limit.
   DHPMAP_ALWAYS_INLINE unsigned ChildrenWithin(std::uint32_t height, std::uint32_t node, const Eigen::Vector3f& p,
                                                float limit2, float (&distance2)[kLanes]) const {
     return nodes_[first_node_[height - 1] + node].ChildrenWithin(p, limit2, distance2);
   }
 
-  /// Fetches a node that will soon be asked for its children.
+  /// Prefetches a node.
   void Prefetch(std::uint32_t height, std::uint32_t node) const {
     const auto* first = reinterpret_cast<const char*>(&nodes_[first_node_[height - 1] + node]);
     for (std::size_t at = 0; at < sizeof(Node); at += 64) __builtin_prefetch(first + at);
   }
 
-  /// Calls visit(leaf) for leaves that overlap `box`, in no order to rely on; if it returns a bool, until that is
-  /// false.
+  /// Calls visit(leaf) for leaves that overlap `box`, in unspecified order; if it returns a bool, false ends the
+  /// search.
   template <typename Visitor>
   void VisitOverlapping(const Eigen::AlignedBox3f& box, Visitor&& visit) const;
 
-  /// Calls visit(leaf) for leaves of which may_hold(box) is true, and of all boxes around them, in no order to rely on.
+  /// Calls visit(leaf) for leaves for which may_hold(box) is true, as for all boxes around them; in unspecified order.
   template <typename Predicate, typename Visitor>
   void VisitWhere(Predicate&& may_hold, Visitor&& visit) const;
 
-  /// Calls limit = visit(leaf) for leaves that the ray from `origin` along `direction` (finite, of unit length)
-  /// meets within `limit`, those it enters first mostly first. The visitor may lower the limit, below 0 to end it. One
-  /// that is missed by a hundredth of a millimetre may be visited.
+  /// Calls limit = visit(leaf) for leaves that the ray from `origin` along `direction` (finite, unit length) meets
+  /// within `limit`, mostly in order of entry. The visitor may lower the limit; below 0 ends the search. May visit
+  /// leaves that the ray misses by up to 0.01 mm.
   template <typename Visitor>
   void VisitAlong(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float limit, Visitor&& visit) const;
 
@@ -89,7 +86,7 @@ class BoxTree {
     const std::uint64_t folded = words[0] | words[1];
     return static_cast<unsigned>((folded | folded >> 32) & 0xF);
   }
-  /// A ray, its direction turned into one by each coordinate, none infinite.
+  /// A ray with its reciprocal direction, all coordinates finite.
   struct Along {
     Eigen::Vector3f origin, inverse;
     float margin;  ///< for rounding
@@ -102,7 +99,7 @@ class BoxTree {
       }
     }
   };
-  /// The boxes of eight children side by side. Those of children that are not there are inside out, at infinity.
+  /// Bounds of eight children, side by side. Missing children have inverted, infinite bounds.
   struct alignas(32) Node {
     float low[3][kLanes];
     float high[3][kLanes];
@@ -129,7 +126,7 @@ class BoxTree {
       const std::uint64_t folded = words[0] | words[1] | words[2] | words[3];
       return static_cast<unsigned>(folded | folded >> 32);
     }
-    // Four at a time: what every processor has, for callers that have no clones for others.
+    // In groups of four, which every processor supports, for callers without vector clones.
     DHPMAP_ALWAYS_INLINE unsigned ChildrenOverlapping(const Eigen::AlignedBox3f& box) const {
       unsigned lanes = 0;
       for (std::size_t first = 0; first < kLanes; first += 4) {
@@ -143,7 +140,7 @@ class BoxTree {
       }
       return lanes;
     }
-    /// Where a ray enters the children's boxes, if it does within `limit`: those have a bit.
+    /// Entry distances of the ray into the children's boxes. Returns a bit for each that it enters within `limit`.
     DHPMAP_ALWAYS_INLINE unsigned ChildrenAlong(const Along& ray, float limit, float (&enter)[kLanes]) const;
   };
   struct Pending {
@@ -157,7 +154,7 @@ class BoxTree {
     return true;
   }
 
-  /// Visits leaves: of each node, goes on with the children that lanes_of(node) has a bit for.
+  /// Visits leaves; lanes_of(node) selects the children to descend into.
   template <typename Choice, typename Visitor>
   void Descend(Choice&& lanes_of, Visitor&& visit) const;
 
@@ -253,7 +250,7 @@ void BoxTree::VisitAlong(const Eigen::Vector3f& origin, const Eigen::Vector3f& d
     if (here.at > limit) continue;
     const Node& node = nodes_[first_node_[here.what.level] + here.what.node];
     float enter[kLanes];
-    std::array<Entered, kLanes> children;  // the one entered last first
+    std::array<Entered, kLanes> children;  // the last one entered comes first
     std::size_t num_children = 0;
     for (unsigned lanes = node.ChildrenAlong(ray, limit, enter); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));

@@ -11,12 +11,11 @@
 
 namespace dhpmap {
 
-/// Normals of corners and edges that triangles share: at a corner those of all that meet there, each weighted with its
-/// angle, at an edge of both; and whether surfaces go on there. Corners are one if they agree to a tenth of a
-/// millimetre. Coordinates within 50 m.
+/// Normals of shared corners and edges: at a corner weighted by the angles of all adjacent triangles, at an edge the
+/// mean of both; and whether surfaces continue there. Corners within 0.1 mm are one. Coordinates within 50 m.
 class FieldNormals {
  public:
-  /// Of so many triangles.
+  /// For a number of triangles.
   explicit FieldNormals(std::size_t num_triangles);
 
   /// Positions in sums().
@@ -24,12 +23,12 @@ class FieldNormals {
     std::array<std::uint32_t, 3> corners, edges;  ///< an edge goes from its corner to the next
   };
   Places Want(const TriangleCorners& triangle);
-  /// Adds a triangle of a surface to all that is wanted of it. After everything was wanted.
+  /// Adds a triangle of a surface to its registered corners and edges; only after all are registered.
   void Add(const TriangleCorners& triangle, std::uint32_t surface);
 
   [[nodiscard]] const std::vector<Eigen::Vector3f>& sums() const { return sums_; }
-  /// Whether each surface that has the edge, or an edge at the corner, goes on beyond it, as far as it was added: has
-  /// it as often in one direction as in the other.
+  /// Whether each surface with this edge, or with an edge at this corner, continues beyond it, as far as added: it has
+  /// the edge equally often in both directions.
   [[nodiscard]] bool GoesOn(std::uint32_t place) const { return ends_[place] == 0; }
 
  private:

@@ -11,14 +11,14 @@
 
 namespace dhpmap {
 
-/// Where a sphere is at a time, which counts waypoints. Between two of them centre and radius change evenly.
+/// A sphere at a time, in waypoints. Between two knots, centre and radius change linearly.
 struct SphereKnot {
   double at;
   Eigen::Vector3d center_m;
   double radius_m;
 };
 
-/// A sphere from one knot to the next, in the frame of a triangle; the share of the way goes from 0 to 1.
+/// A sphere from one knot to the next, in the frame of a triangle; fractions run from 0 to 1.
 struct SphereStep {
   Eigen::Vector3d center_m, way_m;
   double radius_m, growth_m;
@@ -26,19 +26,19 @@ struct SphereStep {
   [[nodiscard]] Eigen::Vector3d CenterAt(double share) const { return center_m + share * way_m; }
 };
 
-/// The share of the way after which the sphere first touches a triangle (which may be a point); nothing: it does not.
-/// Never later than it does, and no more than a few micrometres before.
+/// The fraction at which the sphere first touches a triangle (possibly a point); nothing if it does not. Never too
+/// late, and early by a few micrometres at most.
 std::optional<double> TimeOfTouch(const SphereStep& step, const TriangleCorners& triangle);
 std::optional<double> TimeOfTouch(const SphereStep& step, const Eigen::Vector3d& point);
 
-/// A rigid motion through waypoints: evenly, turning about one axis, from each to the next.
+/// A rigid motion through waypoints: constant velocity, turning about one axis, between consecutive ones.
 class RigidPath {
  public:
-  /// For what is no farther than `reach_m` from the origin of the moving frame. Cut so finely that straight lines
-  /// between the cuts are no farther than a millimetre from where its points go, as a rule.
+  /// For points within `reach_m` of the origin of the moving frame. Subdivided so that straight segments are usually
+  /// within a millimetre of the true paths.
   RigidPath(std::span<const Transform> waypoints, double reach_m);
 
-  /// A sphere that rides along, grown by what straight lines leave out.
+  /// A sphere carried along, grown by the error of the straight segments.
   [[nodiscard]] std::vector<SphereKnot> Carried(const Eigen::Vector3d& center_m, double radius_m) const;
 
  private:

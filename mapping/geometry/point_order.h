@@ -8,8 +8,8 @@
 
 namespace dhpmap {
 
-/// The numbers of the points (finite, fewer than 2^32) in an order in which each is mostly close to the one before:
-/// along a Z-order curve through the box around them.
+/// Indices of the points (finite, fewer than 2^32) along a Z-order curve through their bounding box, so that
+/// consecutive ones are mostly close.
 std::vector<std::uint32_t> OrderAlongCurve(std::span<const Eigen::Vector3d> points);
 
 }  // namespace dhpmap

@@ -7,9 +7,9 @@
 
 namespace dhpmap {
 
-/// Whether a surface ends at the origin, which is a point of `triangles[0]`: it lies on an edge that no other of them
-/// has, or on a corner with such an edge. `triangles`: all of the surface that hold the origin, and maybe others around
-/// it. Corners that are no farther apart than `same_m` are one: rounding. Within a triangle: no.
+/// Whether a surface ends at the origin, a point of `triangles[0]`: it lies on an edge without a second triangle, or on
+/// a corner with such an edge. `triangles`: all of the surface that contain the origin, and possibly others nearby.
+/// Corners within `same_m` are one, because of rounding. False inside a triangle.
 bool EndsAtOrigin(std::span<const TriangleCorners> triangles, float same_m);
 
 }  // namespace dhpmap

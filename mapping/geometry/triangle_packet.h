@@ -13,8 +13,7 @@ namespace dhpmap {
 
 using TriangleCorners = std::array<Eigen::Vector3f, 3>;
 
-/// Eight triangles side by side, so that one pass measures all of them. Lanes without a triangle are NaN and near to
-/// nothing.
+/// Eight triangles side by side, measured in one pass. Unused lanes are NaN and near nothing.
 struct alignas(32) TrianglePacket {
   static constexpr std::size_t kLanes = 8;
 
@@ -42,13 +41,13 @@ struct alignas(32) TrianglePacket {
 
   typedef float Float8 __attribute__((vector_size(32), may_alias));
   typedef std::int32_t Int8 __attribute__((vector_size(32), may_alias));
-  /// From a triangle's nearest point to another, by lane.
+  /// Vectors from the triangles' nearest points, by lane.
   struct Away {
-    Float8 x, y, z, squared;  ///< not a number for a triangle without an area, whose neighbours have its edges
+    Float8 x, y, z, squared;  ///< NaN for a triangle without an area; its neighbours have its edges
   };
 
-  /// Each triangle and the point of the same lane. By the Voronoi regions of corners, edges and face, as
-  /// NearestPointOf, but all at once: a region's numerators and denominator are picked, then divided.
+  /// Each triangle against the point of the same lane. By the Voronoi regions of corners, edges and face, as
+  /// NearestPointOf, but branch-free: selects numerators and denominator of a region, then divides.
   DHPMAP_ALWAYS_INLINE Away AwayFrom(const Float8 (&p)[3]) const {
     const auto at = [this](int corner, int axis) -> const Float8& {
       return *reinterpret_cast<const Float8*>(corners[corner][axis]);
@@ -65,7 +64,7 @@ struct alignas(32) TrianglePacket {
     const Float8 in_a = ab_bp * ac_cp - ab_cp * ac_bp;
     const Float8 in_b = ab_cp * ac_ap - ab_ap * ac_cp;
     const Float8 in_c = ab_ap * ac_bp - ab_bp * ac_ap;
-    // From the face to the first corner: of what holds the last counts.
+    // From the face to the first corner: the last condition that holds wins.
     Float8 to_b = in_b, to_c = in_c, whole = in_a + in_b + in_c;
     const Float8 bc_c = ac_bp - ab_bp, bc_b = ab_cp - ac_cp;
     const Int8 on_bc = (in_a <= zero) & (bc_c >= zero) & (bc_b >= zero);
@@ -99,8 +98,8 @@ struct alignas(32) TrianglePacket {
     return {x, y, z, x * x + y * y + z * z};
   }
 
-  /// Squared distances of the triangles from a point. Returns which are no farther than a finite limit, a bit each;
-  /// never one without an area.
+  /// Squared distances of the triangles from a point. Returns a bit for each within a finite limit; never for one
+  /// without an area.
   DHPMAP_ALWAYS_INLINE unsigned Within(const Eigen::Vector3f& p, float limit2, float (&distance2)[kLanes]) const {
     typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));
     const float px = p[0], py = p[1], pz = p[2];
@@ -115,8 +114,8 @@ struct alignas(32) TrianglePacket {
     return static_cast<unsigned>(folded | folded >> 32);
   }
 
-  /// Which triangles' boxes, grown by a margin, a ray meets within a limit, a bit each; lanes without a triangle may be
-  /// among them. `inverse`: one by each coordinate of the direction, finite.
+  /// A bit for each triangle whose box, grown by a margin, the ray meets within a limit; may include unused lanes.
+  /// `inverse`: reciprocals of the direction's coordinates, finite.
   DHPMAP_ALWAYS_INLINE unsigned Along(const Eigen::Vector3f& origin, const Eigen::Vector3f& inverse, float margin,
                                       float limit) const {
     typedef std::uint64_t Words __attribute__((vector_size(32), may_alias));

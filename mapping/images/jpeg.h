@@ -9,10 +9,10 @@
 
 namespace dhpmap {
 
-/// A JPEG of grey or colour. Its orientation (EXIF) is not looked at: a camera's calibration is that of the pixels as
-/// they are stored. Damage that the format cannot tell from pixels gives other pixels. Takes the pixels and a row of
-/// blocks of memory; a progressive file all of its coefficients, so its size must have been looked at before (see
-/// ReadImageHeader). INVALID_ARGUMENT, reason BAD_IMAGE, for what is no JPEG, is cut off, or has more than 500 scans.
+/// Decodes a grey or colour JPEG. Ignores the EXIF orientation, because a camera's calibration refers to the stored
+/// pixels. Damage that the format cannot detect gives wrong pixels. Memory: the pixels and a row of blocks, or all
+/// coefficients of a progressive file, so check its size first (ReadImageHeader). INVALID_ARGUMENT, reason BAD_IMAGE,
+/// for a file that is no JPEG, is truncated, or has more than 500 scans.
 Result<DecodedImage> DecodeJpeg(std::span<const std::byte> file);
 
 }  // namespace dhpmap

@@ -11,9 +11,9 @@
 
 namespace dhpmap {
 
-/// A PNG of 8 or 16 bits a sample; less are spread to 8, palettes become colour. What a sample means (gamma, profiles)
-/// is not looked at. Takes the pixels and some MiB of memory, so its size must have been looked at before (see
-/// ReadImageHeader). INVALID_ARGUMENT, reason BAD_IMAGE, for anything corrupt, checksums included.
+/// Decodes a PNG of up to 16 bits a sample; fewer than 8 bits are expanded, palettes become colour. Ignores gamma and
+/// colour profiles. Memory: the pixels and some MiB, so check its size first (ReadImageHeader). INVALID_ARGUMENT,
+/// reason BAD_IMAGE, for anything corrupt, including checksums.
 Result<DecodedImage> DecodePng(std::span<const std::byte> file);
 
 /// 8-bit grey, width x height, row by row.

@@ -9,10 +9,9 @@
 
 namespace dhpmap {
 
-/// The first image of a TIFF: grey or colour of 8, 16, 32 or 64 bits a sample, in strips or tiles, as it is or packed
-/// without loss (LZW, deflate, PackBits). Its orientation is not looked at. Takes the pixels and a tile of memory, so
-/// its size must have been looked at before (see ReadImageHeader). INVALID_ARGUMENT, reason BAD_IMAGE, for anything
-/// corrupt or of another kind.
+/// Decodes the first image of a TIFF: grey or colour of 8, 16, 32 or 64 bits a sample, in strips or tiles, uncompressed
+/// or with lossless compression (LZW, deflate, PackBits). Ignores its orientation. Memory: the pixels and a tile, so
+/// check its size first (ReadImageHeader). INVALID_ARGUMENT, reason BAD_IMAGE, for anything corrupt or of another kind.
 Result<DecodedImage> DecodeTiff(std::span<const std::byte> file);
 
 }  // namespace dhpmap

@@ -10,9 +10,9 @@
 
 namespace dhpmap {
 
-// Occupancy grids as nav2_map_server reads them (mode trinary): black is occupied, white free, grey unknown. Cells are
-// 0 free, 100 occupied, anything else unknown; row by row from the one of least y, x fastest. Images have the row of
-// greatest y on top.
+// Occupancy grids in the format of nav2_map_server (mode trinary): black is occupied, white free, grey unknown. Cells
+// are 0 free, 100 occupied, anything else unknown; row by row from the smallest y, x fastest. Images have the row of
+// the largest y on top.
 
 /// `cells`: width x height, both positive. PGM, binary.
 std::string PgmOf(std::span<const std::int8_t> cells, int width, int height);

@@ -12,7 +12,7 @@
 
 namespace dhpmap {
 
-/// Typical extent of a class's objects; decides how many points a new submap needs.
+/// Typical extent of a class's objects; selects the minimum number of points of a new submap.
 enum class SizeClass : std::uint8_t { kSmall = 0, kMedium = 1, kLarge = 2 };
 
 struct LabelClass {
@@ -24,7 +24,7 @@ struct LabelClass {
   bool operator==(const LabelClass&) const = default;
 };
 
-/// The classes of a map. Immutable once made.
+/// The classes of a map. Immutable.
 class LabelSet {
  public:
   LabelSet() = default;

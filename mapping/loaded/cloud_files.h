@@ -17,13 +17,13 @@ struct CloudField {
   Type type = Type::kFloat;
 };
 
-/// What libdhpmap_pcl.so does with PCL. Says what is wrong, or nothing. Thread-safe.
+/// Functions of libdhpmap_pcl.so, implemented with PCL. They return an error text, or nothing. Thread-safe.
 struct CloudFiles {
-  /// Head of a binary PCD file whose points have these fields, packed, in this order.
+  /// Header of a binary PCD file with these packed fields, in this order.
   std::string (*pcd_head)(std::span<const CloudField> fields, std::size_t num_points, std::string& head);
 };
 
-/// Loads it, the first time. Errors as LoadSymbol. Thread-safe.
+/// Loads the library at the first call. Errors as LoadSymbol. Thread-safe.
 Result<const CloudFiles*> LoadCloudFiles();
 
 }  // namespace dhpmap

@@ -9,11 +9,11 @@
 
 namespace dhpmap {
 
-// What the log of a map's edits says of one. Kept by the store, so numbers are never reused.
+// The log of a map's edits. Stored, so numbers are never reused.
 
 enum class EditKind : std::uint8_t { kEdit = 0, kUndo = 1, kRedo = 2 };
 
-/// What was asked for.
+/// The requested action.
 enum class EditAction : std::uint8_t {
   kMove = 1,
   kRelabel = 2,
@@ -33,38 +33,38 @@ enum class EditAction : std::uint8_t {
   kRestore = 16,
 };
 
-/// One thing that was asked for, and of which object; kUnknownSubmap: of none in particular.
+/// One requested action and its object; kUnknownSubmap if it concerns none.
 struct EditStep {
   EditAction action = EditAction::kMove;
   SubmapId submap;
   friend bool operator==(const EditStep&, const EditStep&) = default;
 };
 
-/// What an edit did.
+/// The effect of an edit.
 struct EditSummary {
   EditKind kind = EditKind::kEdit;
   std::vector<EditStep> steps;
-  std::vector<std::int64_t> targets;  ///< of kUndo and kRedo: the edits that it undid or did again, in that order
-  // In ascending order, each once.
+  std::vector<std::int64_t> targets;  ///< of kUndo and kRedo: the edits that were undone or redone, in that order
+  // Ascending, without duplicates.
   std::vector<SubmapId> changed;
   std::vector<SubmapId> created;
   std::vector<SubmapId> removed;
-  std::int64_t num_voxels = 0;  ///< that changed hands, or were cleared
-  /// Of kRestore: back to which; 0: not told, as of those that were made before the log told it.
+  std::int64_t num_voxels = 0;  ///< voxels that moved between submaps or were cleared
+  /// Of kRestore: the restored revision; 0 in logs that do not have it yet.
   std::int64_t restored_revision = 0;
   friend bool operator==(const EditSummary&, const EditSummary&) = default;
 };
 
-/// Who asks for an edit, and in which request.
+/// Author and request of an edit.
 struct EditSource {
-  std::string author;      ///< empty: nobody in particular
-  std::string request_id;  ///< empty: its client does not repeat it
-  /// Tells requests apart that have the same id; see Fingerprint.
+  std::string author;      ///< may be empty
+  std::string request_id;  ///< empty: the client does not retry
+  /// Distinguishes requests with the same id; see Fingerprint.
   std::uint64_t request_fingerprint = 0;
   friend bool operator==(const EditSource&, const EditSource&) = default;
 };
 
-/// A row of the log. An edit is known by the revision that has it.
+/// A row of the log, identified by the revision of the edit.
 struct EditEntry {
   std::int64_t revision = 0;
   std::int64_t time_ns = 0;  ///< UTC

@@ -11,7 +11,7 @@
 
 namespace dhpmap {
 
-/// A region of a map that mapping leaves empty.
+/// An ignored region, which mapping leaves empty.
 struct KeptClearRegion {
   std::string name;  ///< [a-z0-9][a-z0-9._-]{0,62}, unique in its map
   Region region;
@@ -21,21 +21,20 @@ struct KeptClearRegion {
   }
 };
 
-/// The regions of a map that somebody keeps clear: points of frames in them are left out, and no voxel with its centre
-/// in one is written by a frame. What lies there already stays, and edits may put something there. Value type.
+/// The ignored regions of a map: frames contribute no points in them and write no voxel with its centre in one.
+/// Existing content stays, and edits may put objects there. Value type.
 class KeptClear {
  public:
   static constexpr std::size_t kMost = 64;
 
   KeptClear() = default;
-  /// DATA_LOSS unless Add would take them all.
+  /// DATA_LOSS unless Add would accept all of them.
   static Result<KeptClear> Create(std::vector<KeptClearRegion> regions);
 
-  /// ALREADY_EXISTS, reason IGNORED_REGION_EXISTS, for a name that is taken; RESOURCE_EXHAUSTED,
-  /// TOO_MANY_IGNORED_REGIONS, beyond kMost; INVALID_ARGUMENT, BAD_EDIT, for another name than those above, or a region
-  /// that is empty or beyond 1e9 m.
+  /// ALREADY_EXISTS, reason IGNORED_REGION_EXISTS, for a name in use; RESOURCE_EXHAUSTED, TOO_MANY_IGNORED_REGIONS,
+  /// beyond kMost; INVALID_ARGUMENT, BAD_EDIT, for an invalid name, or a region that is empty or beyond 1e9 m.
   Status Add(KeptClearRegion region);
-  /// Returns whether there was one of this name.
+  /// Stops ignoring a region. Returns whether there was one of this name.
   bool Lift(std::string_view name);
 
   /// Null if there is none.

@@ -7,14 +7,14 @@
 
 namespace dhpmap {
 
-/// Revisions from the first to the last.
+/// First and last revision, both included.
 struct RevisionRange {
   std::int64_t first = 0, last = 0;
   constexpr bool operator==(const RevisionRange&) const = default;
 };
 
-/// Revisions of a map's history that may have been seen and were never stored; ascending. There are none in the map's
-/// past: what somebody holds of such a state is of no state any more.
+/// Ascending ranges of revisions that clients may have seen and that were never stored. References to such a state are
+/// invalid for ever.
 using LostRevisions = std::vector<RevisionRange>;
 
 inline bool IsLost(const LostRevisions& lost, std::int64_t revision) {

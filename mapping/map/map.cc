@@ -240,7 +240,7 @@ std::shared_ptr<const MapSnapshot> Map::Publish(std::int64_t time_ns) {
   return published_;
 }
 
-std::shared_ptr<const MapSnapshot> Map::LetGoOfPages(bool even_used, TileSpill* spill) {
+std::shared_ptr<const MapSnapshot> Map::EvictPages(bool even_used, TileSpill* spill) {
   if (changed_ || published_ == nullptr) return published_;
   std::unordered_map<const BlockTile*, std::shared_ptr<const BlockTile>> left;
   const EvictionRule rule{.even_used = even_used, .spill = spill, .written_lately = parts_before_, .left = &left};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/map/map_config.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -12,6 +13,18 @@ namespace {
 constexpr std::array<std::string_view, 3> kWeightingNames = {"CONSTANT", "INVERSE_DEPTH_SQUARED",
                                                              "INVERSE_RANGE_SQUARED"};
 constexpr double kMaxTruncationVox = 8.0;
+
+constexpr std::array kRetiredFields = {RetiredField{"tracking.weigh_scores", "false"}};  // up to 0.2.0
+
+Status BadField(const std::string& message, std::string_view key, const std::string& violation) {
+  return InvalidArgument(message).WithReason("BAD_CONFIG").WithViolation(std::string(key), violation);
+}
+
+Status CheckRetired(const RetiredField& field, std::string_view text) {
+  if (text == field.default_text) return Status::Ok();
+  const std::string violation = "is retired: it can only be " + std::string(field.default_text);
+  return BadField("config key " + std::string(field.key) + " " + violation, field.key, violation);
+}
 
 std::string FormatDouble(double value) {
   std::array<char, 32> buffer;
@@ -116,7 +129,17 @@ std::vector<std::pair<std::string, std::string>> ConfigToText(const MapConfig& c
   return text;
 }
 
+std::span<const RetiredField> RetiredFields() { return kRetiredFields; }
+
+bool IsRetiredField(std::string_view key) {
+  return std::any_of(kRetiredFields.begin(), kRetiredFields.end(),
+                     [key](const auto& field) { return field.key == key; });
+}
+
 Status SetField(MapConfig& config, std::string_view wanted, std::string_view text) {
+  for (const RetiredField& field : kRetiredFields) {
+    if (wanted == field.key) return CheckRetired(field, text);
+  }
   bool known = false;
   bool parsed = false;
   VisitFields(config, [&](const char* key, auto& value, double, double, const char*) {
@@ -127,14 +150,9 @@ Status SetField(MapConfig& config, std::string_view wanted, std::string_view tex
     if (parsed) value = candidate;
   });
   const std::string key(wanted);
-  if (!known)
-    return InvalidArgument("unknown config key " + key).WithReason("BAD_CONFIG").WithViolation(key, "unknown key");
-  if (!parsed) {
-    return InvalidArgument("config key " + key + " cannot be '" + std::string(text) + "'")
-        .WithReason("BAD_CONFIG")
-        .WithViolation(key, "cannot be '" + std::string(text) + "'");
-  }
-  return Status::Ok();
+  if (!known) return BadField("unknown config key " + key, key, "unknown key");
+  const std::string cannot = "cannot be '" + std::string(text) + "'";
+  return parsed ? Status::Ok() : BadField("config key " + key + " " + cannot, key, cannot);
 }
 
 }  // namespace dhpmap

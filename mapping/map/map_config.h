@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,49 +30,45 @@ struct TrackingConfig {
   double iou_threshold = 0.12;        ///< a segment joins a submap only above this IoU
   double depth_tolerance_vox = 1.0;   ///< a point hits a submap where |distance| is below this
   bool match_requires_class = false;  ///< things only match submaps of their own class
-  double min_score = 0;  ///< segments that the network is less sure of (SegmentInfo::Sureness) are geometry only
-  /// What is seen of a segment counts as its score says, and its class_scores count, too; see SightingUnit.
-  bool weigh_scores = false;
-  int split_gap_vox = 5;        ///< parts of a thing's segment that lie farther apart are matched one by one; 0 = never
+  double min_score = 0;               ///< segments with a lower SegmentInfo::Sureness are fused as geometry only
+  int split_gap_vox = 5;        ///< parts of a thing's segment that lie farther apart are matched separately; 0 = never
   int min_points_stuff = 1000;  ///< points that a new background submap needs in one frame
-  int min_points_small = 60;    ///< the same for things, by the size of their class
+  int min_points_small = 60;    ///< likewise for things, by the size of their class
   int min_points_medium = 60;
   int min_points_large = 1000;
-
-  /// What one sighting adds to the counts of a voxel that nobody doubts: of weighed ones, counts are in 1/256, so that
-  /// they stay whole numbers, which add up exactly in any order.
-  [[nodiscard]] std::uint32_t SightingUnit() const { return weigh_scores ? 256 : 1; }
 };
 
 struct ActivityConfig {
-  int required_reobservations = 3;  ///< of a new thing, before it counts as confirmed; 0 = confirmed at once
+  int required_reobservations = 3;  ///< of a new thing, to confirm it; 0 = confirmed at once
   int deactivate_after_missed = 3;  ///< consecutive frames without a matching segment
 };
 
-/// One Gaussian kernel of the CRF (paper II-E): how far and how strongly the label of a voxel speaks for others.
+/// One Gaussian kernel of the CRF (paper II-E): range and strength of the influence of a voxel's label on others.
 struct CrfKernelConfig {
   double position_m = 0;  ///< standard deviation in space
   double color = 0;       ///< standard deviation of each of r, g and b, in 0..255; not used by the smoothness kernel
-  double weight = 0;      ///< against the voxel's own observations; 0 switches the kernel off
+  double weight = 0;      ///< relative to the voxel's own observations; 0 disables the kernel
 };
 
 /// Refinement of labels (paper II-D and II-E). The paper's two parts can be switched off one by one.
 struct RefinementConfig {
-  int every_frames = 85;           ///< refine what has settled after so many frames; 0 = only at FinishMapping
-  bool management = true;          ///< each position goes to one submap
-  bool crf = true;                 ///< labels agree with their surroundings; needs management
-  bool drop_voxel_labels = false;  ///< at FinishMapping, when positions are exclusive, keep only the submaps' labels
-  int crf_iterations = 3;          ///< of mean field
-  double evidence_radius_m = 0;    ///< up to where what a voxel has seen is evidence for others; 0 = for itself alone
-  int least_apart_voxels = 0;  ///< at FinishMapping, parts of a thing that lie apart become things from this size on
+  int every_frames = 85;   ///< frames between refinements of inactive objects; 0 = only at FinishMapping
+  bool management = true;  ///< each position goes to one submap
+  bool crf = true;         ///< labels agree with their surroundings; needs management
+  bool drop_voxel_labels =
+      false;  ///< at FinishMapping, when positions are exclusive, drop voxel labels and keep those of submaps
+  int crf_iterations = 3;        ///< iterations of mean field
+  double evidence_radius_m = 0;  ///< a voxel uses labels of surface voxels within this radius; 0 = only its own
+  int least_apart_voxels =
+      0;  ///< at FinishMapping, separate parts of a thing with this many voxels become things; 0 = never
   CrfKernelConfig smoothness{.position_m = 0.04, .color = 0, .weight = 1.0};
   CrfKernelConfig appearance{.position_m = 0.12, .color = 8.0, .weight = 5.0};
 };
 
-/// What the map keeps of the space between the sensor and the surfaces.
+/// Layers that record what sensors have looked through.
 struct SpaceConfig {
-  bool free = true;  ///< which voxels were looked through: tells free from unknown. Up to integration.max_range_m
-  bool gone = true;  ///< which surfaces were looked through: what is no longer there is left out of answers
+  bool free = true;  ///< store free voxels, up to integration.max_range_m: tells free from unknown
+  bool gone = true;  ///< store surfaces that were looked through, and leave those that are gone out of answers
 };
 
 /// Everything that decides how a map is built. Fixed when the map is created and stored with it.
@@ -117,8 +114,6 @@ void VisitFields(Config& c, Visitor&& visit) {
         "things only match submaps of their own class");
   visit("tracking.min_score", c.tracking.min_score, 0.0, 1.0,
         "segments below this score are fused as geometry without a label; no score counts as 1");
-  visit("tracking.weigh_scores", c.tracking.weigh_scores, 0.0, 1.0,
-        "a segment's label counts in proportion to its score or class_scores");
   visit("tracking.split_gap_vox", c.tracking.split_gap_vox, 0.0, 1000.0,
         "parts of a thing's segment farther apart are matched separately; 0 = never");
   visit("tracking.min_points_stuff", c.tracking.min_points_stuff, 1.0, 1e9,
@@ -159,7 +154,16 @@ void VisitFields(Config& c, Visitor&& visit) {
 /// Every key with its value as text, in the order of VisitFields. SetField undoes it exactly.
 std::vector<std::pair<std::string, std::string>> ConfigToText(const MapConfig& config);
 
-/// Sets one field from text; INVALID_ARGUMENT for an unknown key or a value that does not parse. Does not check ranges.
+/// A key of older versions. Files and stored maps may still have it, at the value that was its default.
+struct RetiredField {
+  std::string_view key;
+  std::string_view default_text;
+};
+std::span<const RetiredField> RetiredFields();
+bool IsRetiredField(std::string_view key);
+
+/// Sets one field from text; INVALID_ARGUMENT for an unknown key or a value that does not parse. Ignores a retired key
+/// at its default; INVALID_ARGUMENT at any other value. Does not check ranges.
 Status SetField(MapConfig& config, std::string_view key, std::string_view text);
 
 std::string_view WeightingName(Weighting weighting);

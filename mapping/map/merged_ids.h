@@ -10,24 +10,23 @@
 
 namespace dhpmap {
 
-/// A submap that is now a part of another.
+/// A submap that was merged into another.
 struct MergedId {
   SubmapId merged, into;
   friend bool operator==(const MergedId&, const MergedId&) = default;
 };
 
-/// What became of the submaps of a map that were merged into others, for ever: whoever asks for one of them is told
-/// which it is now. Chains are resolved: `into` was itself not merged, though it may have been deleted since. Copies
-/// share the list. Value type.
+/// The permanent record of merges: requests for a merged submap are told its successor. Chains are resolved: `into` was
+/// not merged itself, though it may have been deleted since. Copies share the list. Value type.
 class MergedIds {
  public:
   MergedIds() = default;
-  /// DATA_LOSS unless they are by ascending merged id and each once, larger than 0, and chains are resolved.
+  /// DATA_LOSS unless merged ids ascend, are unique and above 0, and chains are resolved.
   static Result<MergedIds> Create(std::vector<MergedId> list);
 
-  /// What the submap is a part of; nothing if it was not merged.
+  /// The successor of a submap; nothing if it was not merged.
   [[nodiscard]] std::optional<SubmapId> Into(SubmapId merged) const;
-  /// `merged` was not merged before, nor was `into`, which is another.
+  /// Neither may have been merged before; they differ.
   void Add(SubmapId merged, SubmapId into);
 
   /// By ascending merged id.

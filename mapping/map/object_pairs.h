@@ -12,49 +12,49 @@
 
 namespace dhpmap {
 
-/// What somebody has said of two submaps. Of two that somebody has merged it goes on to be said, though one is gone.
-/// Kept in files.
+/// A user's verdict on two submaps. After an edit merged them it remains, though one is gone. Stored, so numbers are
+/// never reused.
 enum class PairVerdict : std::uint8_t {
-  kOpen = 0,       ///< nobody has: frames tell
-  kMustBeOne = 1,  ///< they are merged as soon as they can be
-  kMustBeTwo = 2,  ///< they are never merged
+  kOpen = 0,       ///< no verdict: evidence from frames decides
+  kMustBeOne = 1,  ///< merge them as soon as possible
+  kMustBeTwo = 2,  ///< never merge them
 };
 
-/// What is known of whether two submaps are one object.
+/// Verdict and evidence on whether two submaps are one object.
 struct ObjectPair {
-  SubmapId first, second;  ///< the first is the smaller
+  SubmapId first, second;  ///< first < second
   PairVerdict verdict = PairVerdict::kOpen;
-  /// Logarithm of how much likelier the frames are if they are one than if they are two; see NotePairs.
+  /// Log-likelihood ratio of the frames, one object against two; see NotePairs.
   std::int32_t evidence = 0;
-  /// From here on down frames speak for two, by odds of 7 to 1: more than one frame has shown them apart.
+  /// At or below this, frames show two objects, by odds of 7 to 1: more than one frame has shown them apart.
   static constexpr std::int32_t kSpeaksForTwo = -20;
-  /// Whether they are to be taken for two: somebody has said so, or frames speak for it and nobody has said otherwise.
+  /// Whether they count as two objects: by verdict, or by evidence without a verdict.
   [[nodiscard]] bool AreTwo() const {
     return verdict == PairVerdict::kMustBeTwo || (verdict == PairVerdict::kOpen && evidence <= kSpeaksForTwo);
   }
   friend bool operator==(const ObjectPair&, const ObjectPair&) = default;
 };
 
-/// The pairs of a map of which anything is known, of open ones at most kMostOpen. Value type.
+/// The pairs of a map with a verdict or evidence; at most kMostOpen open ones. Value type.
 class ObjectPairs {
  public:
   static constexpr std::size_t kMostOpen = 2048;
   static constexpr std::int32_t kMostEvidence = 1000;
 
   ObjectPairs() = default;
-  /// DATA_LOSS unless they are ascending and each once, of two different submaps, with evidence within its limits.
+  /// DATA_LOSS unless pairs ascend, are unique, name two different submaps, and have evidence within its limits.
   static Result<ObjectPairs> Create(std::vector<ObjectPair> pairs);
 
-  /// Nothing is known of a pair that is not there. In any order.
+  /// Without entry, a pair has neither verdict nor evidence. Order of arguments is irrelevant.
   [[nodiscard]] ObjectPair Of(SubmapId a, SubmapId b) const;
-  /// Adds evidence, within `least` and `most`. A pair without verdict or evidence is forgotten; of too many open ones
-  /// that of the least evidence either way goes, the first of equals.
+  /// Adds evidence, clamped to `least` and `most`. A pair without verdict or evidence is dropped. Beyond kMostOpen, the
+  /// open pair of the smallest absolute evidence is dropped, the first of equals.
   void AddEvidence(SubmapId a, SubmapId b, std::int32_t added, std::int32_t least, std::int32_t most);
   void SetVerdict(SubmapId a, SubmapId b, PairVerdict verdict);
 
-  /// Forgets all pairs of a submap that is no longer there.
+  /// Drops all pairs of a removed submap.
   void Remove(SubmapId id);
-  /// Pairs of `merged` are `into`'s from now on: evidence is added up, and that they must be two holds of the whole.
+  /// Moves the pairs of `merged` to `into`: evidence is added up, and a verdict of two objects holds for the whole.
   void Merge(SubmapId merged, SubmapId into);
 
   /// Ascending by first, then second.

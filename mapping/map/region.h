@@ -8,15 +8,15 @@
 
 namespace dhpmap {
 
-/// A box along the axes, or a sphere; map frame. Borders belong to it.
+/// An axis-aligned box, or a sphere; map frame. Closed: borders are part of it.
 using Region = std::variant<Eigen::AlignedBox3d, BoundingSphere>;
 
 bool Contains(const Region& region, const Eigen::Vector3d& p_map_m);
-/// Whether it has a point in common with a ball.
+/// Whether it intersects a ball.
 bool Touches(const Region& region, const Eigen::Vector3d& center_map_m, double radius_m);
-/// The smallest around it.
+/// The smallest enclosing sphere.
 BoundingSphere SphereAround(const Region& region);
-/// The same numbers.
+/// Exact equality.
 bool IsSame(const Region& a, const Region& b);
 
 }  // namespace dhpmap

@@ -5,13 +5,13 @@
 
 namespace dhpmap {
 
-// Where objects were that an edit has moved or deleted (MapSnapshot::vacated): what they left is that of left_space.h.
+// Space that moved or deleted objects occupied (MapSnapshot::vacated); left_space.h defines the voxels.
 
-/// Notes in the map's layer what an object is about to leave. Nothing, if it is not where it was seen: somebody has put
-/// it there (SubmapInfo::is_placed), or its voxels are not the map's.
+/// Records the old place of an object that is about to leave. No effect unless the object is where it was seen: an edit
+/// may have placed it (SubmapInfo::is_placed), or its voxels are not on the map's grid.
 void NoteVacated(const Submap& leaving, Map& map);
 
-/// Of an object of the map that has come back: what it would leave now is not vacated any longer. Costs the same.
+/// Reverts NoteVacated for an object that has come back. Same cost.
 void TakeVacatedBack(const Submap& back, Map& map);
 
 }  // namespace dhpmap

@@ -10,9 +10,9 @@
 
 namespace dhpmap {
 
-/// Triangles of the surface of one submap or of a whole map (map_mesh.h), vertices shared between triangles.
-/// Coordinates in metres of the map frame. A vertex has the label of the nearer voxel of the edge that it lies on;
-/// where submaps meet, that of the submap around it (see OwnerHalo::Labelling).
+/// Triangles of the surface of one submap or of a whole map (map_mesh.h), with shared vertices. Coordinates in metres
+/// of the map frame. A vertex has the label of the nearer voxel on its edge; where submaps meet, that of the submap
+/// around it (see OwnerHalo::Labelling).
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices_m;
   std::vector<Eigen::Vector3f> normals;  ///< unit, out of the surface, one a vertex
@@ -24,11 +24,11 @@ struct Mesh {
 
 enum class MeshColoring { kSensor, kClass, kInstance };
 
-/// Marching cubes over all cells whose 8 corners are observed (Lorensen and Cline 1987). Deterministic order. Of one
-/// submap alone: cells that it shares with others are left out.
+/// Marching cubes over all cells with 8 observed corners (Lorensen and Cline 1987). Deterministic order. For one submap
+/// alone: without cells shared with others.
 Mesh ExtractMesh(const Submap& submap, const LabelSet& label_set, MeshColoring coloring);
 
-/// The triangles of `part` after those of `whole`.
+/// Appends the triangles of `part` to `whole`.
 void AppendMesh(const Mesh& part, Mesh& whole);
 
 /// A well-spread colour for an id, the same in every run.

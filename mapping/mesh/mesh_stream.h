@@ -11,13 +11,12 @@
 
 namespace dhpmap {
 
-/// The mesh of ExtractMesh or ExtractMapMesh in pieces, with the same vertices and triangles in the same order. How
-/// many there are is known beforehand, and only one piece is in memory. Keeps the state it is made from alive. Belongs
-/// to one thread.
+/// The mesh of ExtractMesh or ExtractMapMesh in pieces, with the same vertices and triangles in the same order. The
+/// totals are known in advance, and only one piece is in memory. Keeps its state alive. One thread.
 class MeshStream {
  public:
-  /// Of one submap, or without one of the whole map. Counts, which takes about half the time of meshing; after a `stop`
-  /// requested meanwhile the stream is empty.
+  /// For one submap, or the whole map without one. Counts first, which takes about half the time of meshing; empty
+  /// after a `stop` request.
   MeshStream(std::shared_ptr<const MapSnapshot> map, const Submap* submap, MeshColoring coloring,
              const std::stop_token& stop = {});
   ~MeshStream();
@@ -26,9 +25,9 @@ class MeshStream {
   [[nodiscard]] std::size_t num_vertices() const;
   [[nodiscard]] std::size_t num_triangles() const;
 
-  /// The next piece, of some thousand vertices without triangles; its vectors are used again. False: there is none.
+  /// The next piece: some thousand vertices without triangles; reuses its vectors. False at the end.
   bool NextVertices(Mesh& piece);
-  /// The next piece, of triangles without vertices, which they number through the whole mesh. False: there is none.
+  /// The next piece: triangles without vertices, with vertex numbers of the whole mesh. False at the end.
   bool NextTriangles(Mesh& piece);
 
  private:

@@ -18,11 +18,11 @@ struct ObjectMesh {
   Mesh mesh;
 };
 
-/// The surfaces of `wanted`, in its order. Those that share the map's grid are cut from the one surface that
-/// ExtractMapMesh makes of it: each of its triangles belongs to the submap that most of its corners have (of none, to
-/// the smallest id), so that together they have neither gaps nor overlaps, and each is the same whichever others are
-/// wanted. What is absent or was placed by somebody is meshed by itself; its surface does not change with its pose.
-/// Costs the blocks of `wanted` and one block around them. Empty after a `stop` requested meanwhile.
+/// The surfaces of `wanted`, in its order. Those on the map's grid are cut from the surface of ExtractMapMesh: each
+/// triangle belongs to the submap with most of its corners (ties: the smallest id), so that together they have neither
+/// gaps nor overlaps, and each is independent of the selection. Absent submaps and those placed by an edit are meshed
+/// separately; their surface does not depend on the pose. Linear in the blocks of `wanted` and their neighbours. Empty
+/// after a `stop` request.
 std::vector<ObjectMesh> ExtractObjectMeshes(const MapSnapshot& map, std::span<const Submap* const> wanted,
                                             MeshColoring coloring, const std::stop_token& stop = {});
 /// Likewise; `sources`: MeshSourcesOf the same.

@@ -8,21 +8,21 @@ namespace dhpmap {
 
 enum class DeltaSide { kBefore, kAfter };
 
-/// Takes what an edit changed to how it was on one side of the edit: undoes it, or does it again. What others have
-/// changed meanwhile stays. ABORTED, reason UNDO_CONFLICT, with `instance_id` and `field` in the metadata, if something
-/// stands in the way; then the map is half changed, and to be gone back from.
-///   - A row's pose, name, lock and class are set if they are as the other side has them; if not, another edit has set
-///   them
-///     since, which is a conflict. What frames change of a row (presence, activity, times) is set if it is as it was.
-///     Counts are changed by what the edit changed.
-///   - Layers of tiles of an edit that wrote surfaces or labels must be, as far as a store knows (StoredKey), those of
-///     the other side. Of an edit of rows, what was looked through comes back where nothing was since.
-///   - An object that the edit made goes only if nothing was added to it; one that it removed comes back under its id,
-///     unless it is a part of another by now (MapInfo::merged), which is a conflict. Its track ids come back with it,
-///     also from what it was merged into, but for those that its front ends have given to others since.
-///   - A region is kept clear again, or no longer, if it is as the other side has it.
-///   - What was noted as vacated, merged, or known of pairs goes with it, as far as it is as it was.
-/// Every object that is touched counts as edited. Costs what the edit touched.
+/// Restores one side of an edit's changes: undo or redo. Later changes by others stay. ABORTED, reason UNDO_CONFLICT,
+/// with `instance_id` and `field` in the metadata, on a conflict; the map is then half changed and must be rolled back.
+///   - A row's pose, name, lock and class are set if they have the values of the other side. Otherwise, a later edit
+///     has set them, which is a conflict. Values that frames change (presence, activity, times) are set if unchanged.
+///     Counts change by the difference of the edit.
+///   - For an edit that wrote surfaces or labels, its tile layers must be those of the other side, as far as the
+///     store's keys tell (StoredKey). For an edit of rows only, the gone layer is restored where nothing was counted
+///     since.
+///   - An object that the edit created is removed only if nothing was added to it. A removed object returns under its
+///     id; a later merge of it (MapInfo::merged) is a conflict. Its track ids return with it, also from the object it
+///     was merged into, except those that front ends have reassigned since.
+///   - A region is ignored again, or no longer, if it is as on the other side.
+///   - Vacated space, merges and pairs are restored as far as they are unchanged.
+///
+/// Every object that is touched counts as edited. Time is linear in the edit's changes.
 Status ApplyDelta(const StateDelta& delta, DeltaSide to, Map& map);
 
 }  // namespace dhpmap

@@ -5,21 +5,21 @@
 
 namespace dhpmap {
 
-/// Whether `from` can be made a part of `into`: two things that are there, on the same grid.
+/// Whether `from` can be merged into `into`: two existing things on the same grid.
 bool CanMerge(const Map& map, SubmapId from, SubmapId into);
 
-/// Makes `from` a part of `into`, which keeps its id; `from` is removed, and MapInfo::merged says what became of it.
-/// Requires CanMerge.
-///   - A voxel of both is the weighted average, up to the most weight there is; where one was looked through until
-///     nothing is left (GoneBlock) and the other was not, the other's. What is left of doubt is the lesser.
-///   - Counts of labels are added. Whatever any submap's voxels have seen of `from` was `into`: no count is lost.
-///   - Frames and classes are added up, times span both, the rest is that of the surer of them: it is there if one of
-///     them is, active if one is, confirmed if one is, locked if one is. A class or name that somebody has set stays.
-/// Safe at any time between frames: a refinement under way finds `from` gone (AdoptRefinement).
+/// Merges `from` into `into`, which keeps its id; `from` is removed and recorded in MapInfo::merged. Requires CanMerge.
+///   - A voxel of both becomes the weighted average, with the weight capped. If one is contradicted (GoneBlock) and the
+///     other is not, the other wins. The smaller gone count remains.
+///   - Label counts are added. Counts of `from` in voxels of any submap become counts of `into`; none is lost.
+///   - Frames and class totals are added, times span both, and other values are those of the surer one: the result is
+///     present, active, confirmed or locked if one of them is. A class or name set by an edit stays.
+///
+/// Safe between any two frames: a running refinement finds `from` removed (AdoptRefinement).
 void MergeSubmaps(SubmapId from, SubmapId into, Map& map);
 
-/// The same because somebody has said that they are one: noted for ever (PairVerdict::kMustBeOne), so that segments on
-/// parts that stand apart go to the whole (Tracker), and confirmed.
+/// The same by verdict of a user: recorded for ever (PairVerdict::kMustBeOne), so that segments on separate parts go to
+/// the whole (Tracker), and confirmed.
 void MergeForGood(SubmapId from, SubmapId into, Map& map);
 
 }  // namespace dhpmap

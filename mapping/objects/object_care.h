@@ -5,22 +5,22 @@
 
 namespace dhpmap {
 
-/// What becomes of things that frames have shown to be no object of their own.
+/// Cleanup of things that turned out to be no objects of their own.
 struct ObjectCareReport {
-  int num_merged = 0;     ///< into the thing that they are a part of
+  int num_merged = 0;     ///< into the thing that they belong to
   int num_dissolved = 0;  ///< into the unknown submap
 };
 
-/// Merges pairs of things that are one object, into the older of them: of one class, that overlap or touch, as frames
-/// tell (NotePairs) or as somebody has said; never those that must be two, nor what somebody has edited or locked. At
-/// least one pair if there is any, and more until `most_blocks` blocks were moved; the others have to wait for the next
-/// time.
+/// Merges pairs of things that are one object into the older of the two: same class, overlapping or touching, by
+/// evidence of frames (NotePairs) or by verdict. Never pairs with the opposite verdict, nor edited or locked things.
+/// Merges at least one pair if there is any, and more until `most_blocks` blocks have moved; the rest wait for the next
+/// call.
 int MergePairs(Map& map, std::size_t most_blocks);
 
-/// Dissolves settled things of which nothing, or next to nothing, is left to be seen into the unknown submap, confirmed
-/// or not: a few wrong frames made them, and label management has given their surface to the objects whose it is. Next
-/// to nothing is little surface, around which others hold most of what frames took for the thing. What is absent,
-/// edited or locked stays.
+/// Dissolves inactive objects whose voxels mostly belong to others into the unknown submap, confirmed or not: a few
+/// wrong frames created them, and label management has since assigned their surface. Such an object has no surface
+/// left, or little surface surrounded by voxels that others hold although frames labelled them as this thing. Absent,
+/// edited and locked things stay.
 int DissolveRemnants(Map& map);
 
 }  // namespace dhpmap

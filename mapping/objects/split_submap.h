@@ -11,24 +11,24 @@
 
 namespace dhpmap {
 
-/// Whether the voxel with its centre there, in the object's own frame, goes to the new object.
+/// Whether the voxel with this centre, in the object's own frame, goes to the new object.
 using VoxelChoice = std::function<bool(const Eigen::Vector3d& p_submap_m)>;
 
-// Both take voxels, with their labels and counts of what was looked through, from an object and make other objects of
-// them: nothing observed is lost, and each voxel belongs to one. A new object has the old one's row, but no display
-// name and no track id. Which of their observations is whose follows from the labels of the voxels; of a map without
-// those, from the shares of voxels. The pair is noted as two for ever (ObjectPairs), so that it is not merged again.
-// What other objects' voxels have seen of the old one stays so. Cost: the blocks of the object.
+// Both functions move voxels of an object, with labels and gone counts, to new objects: no observation is lost, and
+// each voxel has one owner. A new object copies the row, except display name and track id. Observation counts are
+// divided by the labels of the voxels, or without labels by the number of voxels. The pair gets the verdict of two
+// objects (ObjectPairs), so that it is not merged again. Counts of the old object in voxels of others do not change.
+// Linear in the blocks of the object.
 
-/// Returns the new object; nothing, and nothing has changed, unless there are voxels of both.
+/// Returns the new object; nothing, without any change, unless both sides have voxels.
 std::optional<SubmapId> SplitSubmap(SubmapId id, const VoxelChoice& goes, Map& map);
 
-/// Makes an object of each connected part of observed voxels, corners included, that has at least `least_voxels`, but
-/// of `most_parts` at most, largest first. The largest keeps the id, and what is left of the rest. Voxels of labels
-/// alone and contradicted ones stay. Returns the new objects, largest first.
+/// Makes an object of each connected part (26-neighbourhood) of observed voxels with at least `least_voxels`, at most
+/// `most_parts`, largest first. The largest keeps the id and all smaller parts. Voxels with only labels, and
+/// contradicted ones, stay. Returns the new objects, largest first.
 std::vector<SubmapId> SplitIntoConnectedParts(SubmapId id, std::size_t least_voxels, std::size_t most_parts, Map& map);
 
-/// Makes a part of whatever kind a thing of a class, against later votes: settled, as frames may not show it again.
+/// Makes a part of any kind a thing of a fixed class; inactive, as frames may not show it again.
 void MakeThingOfClass(ClassId class_id, Submap& part);
 
 }  // namespace dhpmap

@@ -5,20 +5,21 @@
 
 namespace dhpmap {
 
-/// How much requests may hold in memory together of tiles that were left on the disk. What a request has read stays for
-/// as long as it holds its state of the map, whatever is let go of meanwhile.
+/// Limits the memory that all requests together hold in evicted tiles. A request keeps the tiles that it has read for
+/// as long as it holds its state of the map, even if they are evicted meanwhile.
 struct PageReaderLimit {
-  std::int64_t bytes = 0;  ///< 0: any number
-  double wait_s = 0.05;    ///< for other requests to end, before one is refused: a thread waits that others need
+  std::int64_t bytes = 0;  ///< 0: unlimited
+  double wait_s =
+      0.05;  ///< wait for other requests to end, before refusing; short, because others need the waiting thread
 };
-/// Of the process, as PageCounts; thread-safe.
+/// One limit for the process, as PageCounts; thread-safe.
 void SetPageReaderLimit(const PageReaderLimit& limit);
-/// What requests hold now.
+/// Bytes that requests hold now.
 std::int64_t PageReaderBytes();
-/// How many threads wait now for other requests to end.
+/// Number of threads that wait for other requests to end.
 int NumPageReadersWaiting();
 
-/// What a request holds, until the end of its life.
+/// The tiles of one request; released by the destructor.
 class PageHold {
  public:
   PageHold() = default;
@@ -31,30 +32,30 @@ class PageHold {
   std::int64_t bytes_ = 0;
 };
 
-/// Of a request, on the thread that makes it: the tiles that this thread reads from the disk are held by the request.
-/// Threads without one, as those that fuse and refine, read what they need.
+/// Attributes the tiles that this thread reads from disk to a request. Threads without a PageReader, such as those of
+/// fusion and refinement, read without limit.
 class PageReader {
  public:
-  /// Of one that ends with this.
+  /// For a request that ends with this object.
   PageReader() noexcept : PageReader(own_) {}
-  /// Of one that goes on elsewhere, such as a stream.
+  /// For a request that continues elsewhere, such as a stream.
   explicit PageReader(PageHold& hold) noexcept;
   ~PageReader();
   PageReader(const PageReader&) = delete;
   PageReader& operator=(const PageReader&) = delete;
 
-  /// That of the calling thread, for others that make a part of its request while it waits for them; null: none.
+  /// That of the calling thread, to pass to threads that work on its request while it waits for them; null for none.
   [[nodiscard]] static PageHold* Current() noexcept;
-  /// For such a thread; null: it reads what it needs.
+  /// For such a thread; null: it reads without limit.
   explicit PageReader(PageHold* hold) noexcept;
 
-  /// Before the calling thread reads a tile: waits where requests hold as much as they may. Throws StatusError:
-  /// RESOURCE_EXHAUSTED, reason OVER_MEMORY_BUDGET, if that does not help.
+  /// Call before reading a tile: waits while requests are at the limit. Throws StatusError: RESOURCE_EXHAUSTED, reason
+  /// OVER_MEMORY_BUDGET, after wait_s.
   static void Admit();
-  /// After it has read one of so many bytes.
+  /// Call after reading a tile of that size.
   static void Count(std::int64_t bytes) noexcept;
 
-  /// What the calling thread reads during the life of this goes again at once, and counts for nothing.
+  /// While this lives, tiles that the calling thread reads are released at once and do not count.
   class Passing {
    public:
     Passing() noexcept;

@@ -10,12 +10,11 @@
 
 namespace dhpmap {
 
-/// Adds the tiles of the table whose blocks are on the disk. Throws StatusError.
+/// Adds the evicted tiles of the table. Throws StatusError.
 void AddUnread(const BlockTable& blocks, std::vector<const BlockTile*>& unread);
 
-/// Reads them, several at a time, for who is about to go through all of them: one after the other they would be waited
-/// for. They count for whose requests the threads of `spread` read (PageReader). After a `stop` that is requested
-/// meanwhile some are left. Throws StatusError.
+/// Reads tiles in parallel, ahead of a pass over all of them. They count for the requests of the threads of `spread`
+/// (PageReader). Some may be left unread after a `stop`. Throws StatusError.
 void ReadTiles(std::span<const BlockTile* const> unread, const Spread& spread, const std::stop_token& stop = {});
 
 }  // namespace dhpmap

@@ -13,11 +13,11 @@
 
 namespace dhpmap {
 
-/// Where it is read from which tiles a submap has: a store. Thread-safe.
+/// Lists the tiles of a submap, from a store. Thread-safe.
 ///
-/// It tells of the state in which the submap was loaded. Whoever changes its tiles reads all of them first
-/// (BlockTable), so nothing of the newest state need be read after a commit; who has a state of a map that was loaded
-/// anew since may be told ABORTED, reason SNAPSHOT_EXPIRED. Other errors as of TileSource.
+/// It describes the state in which the submap was loaded. Writers read all tiles before they change one (BlockTable),
+/// so the newest state never depends on it after a commit. Readers of a state from before the map was loaded again may
+/// get ABORTED, reason SNAPSHOT_EXPIRED. Other errors as of TileSource.
 class TileDirectory {
  public:
   virtual ~TileDirectory() = default;
@@ -25,15 +25,15 @@ class TileDirectory {
     TileIndex index;
     std::shared_ptr<const BlockTile> tile;  ///< neither null nor empty
   };
-  /// At least one.
+  /// At least one tile.
   virtual Result<std::vector<Tile>> ReadAll() = 0;
-  /// Null if there is no such tile. That others are lost need not be seen.
+  /// Null if there is no such tile. Need not detect that other tiles are missing.
   virtual Result<std::shared_ptr<const BlockTile>> ReadOne(TileIndex index) = 0;
-  /// Whether there are so few that to read one costs about as much.
+  /// Whether there are so few tiles that reading one costs about as much as reading all.
   [[nodiscard]] virtual bool HasFew() const = 0;
 };
 
-/// The marks of tiles that nobody has asked for: there are some once somebody has. Thread-safe.
+/// Marks of tiles that are not read yet; available once they are. Thread-safe.
 class UnreadMarks final : public MarkLoader {
  public:
   explicit UnreadMarks(std::shared_ptr<TileDirectory> directory) : directory_(std::move(directory)) {}
@@ -42,7 +42,7 @@ class UnreadMarks final : public MarkLoader {
   [[nodiscard]] const TileMarkTable* IfRead() const override {
     return is_read_.load(std::memory_order_acquire) ? &table_ : nullptr;
   }
-  /// By who has read the tiles.
+  /// Call after reading the tiles.
   void Fill(std::span<const TileEntry> tiles) const DHPMAP_EXCLUDES(mutex_);
 
  private:
@@ -54,7 +54,7 @@ class UnreadMarks final : public MarkLoader {
   mutable TileMarkTable table_;  ///< written once, before is_read_
 };
 
-/// The tiles of a submap that are read from a directory. Thread-safe.
+/// Loads the tiles of a submap from a directory. Thread-safe.
 class UnreadTiles final : public TableLoader {
  public:
   explicit UnreadTiles(std::shared_ptr<TileDirectory> directory)
@@ -75,8 +75,8 @@ class UnreadTiles final : public TableLoader {
   const std::shared_ptr<TileDirectory> directory_;
   const std::shared_ptr<const UnreadMarks> own_marks_;
   const std::shared_ptr<const MarkLoader> marks_;  ///< the same
-  mutable Mutex mutex_;                            ///< of who reads
-  /// Read one by one; null: there is none. They stay what they are when all are read.
+  mutable Mutex mutex_;                            ///< held while reading
+  /// Tiles read one by one; null: there is none. They stay valid when all are read.
   mutable std::vector<TileDirectory::Tile> some_ DHPMAP_GUARDED_BY(mutex_);
   mutable int num_lookups_ DHPMAP_GUARDED_BY(mutex_) = 0;
   mutable std::unique_ptr<const BlockTable> table_ DHPMAP_GUARDED_BY(mutex_);

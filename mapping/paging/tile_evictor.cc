@@ -36,7 +36,7 @@ std::shared_ptr<const BlockTile> TileEvictor::operator()(const BlockTile& tile) 
 
 std::shared_ptr<const BlockTile> TileEvictor::Evict(const BlockTile& tile) {
   if (tile.CanBeUnread()) {
-    return tile.loader()->WasUsed() && !rule_.even_used ? nullptr : tile.LeftTo(tile.loader()->LetGo());
+    return tile.loader()->WasUsed() && !rule_.even_used ? nullptr : tile.LeftTo(tile.loader()->Evicted());
   }
   if (spill_ == nullptr || !tile.CanBeLeft()) return nullptr;
   if (tile.part_id() >= rule_.written_lately && !rule_.even_used) return nullptr;

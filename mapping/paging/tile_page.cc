@@ -14,7 +14,7 @@ namespace dhpmap {
 namespace {
 
 struct PageCounters {
-  std::atomic<std::uint64_t> num_reads{0}, num_failures{0}, num_let_go{0}, num_spilled{0}, num_unspilled{0};
+  std::atomic<std::uint64_t> num_reads{0}, num_failures{0}, num_evicted{0}, num_spilled{0}, num_unspilled{0};
   std::atomic<std::int64_t> read_ns{0}, resident_bytes{0}, table_bytes{0};
 };
 PageCounters& Counters() {
@@ -43,8 +43,8 @@ std::shared_ptr<const TilePage> TilePage::Another() const {
   return std::make_shared<const TilePage>(tile(), source_, names());
 }
 
-std::shared_ptr<const TileLoader> TilePage::LetGo() const {
-  Counters().num_let_go.fetch_add(1, std::memory_order_relaxed);
+std::shared_ptr<const TileLoader> TilePage::Evicted() const {
+  Counters().num_evicted.fetch_add(1, std::memory_order_relaxed);
   return Another();
 }
 
@@ -104,7 +104,7 @@ PageCounts CountPages() {
   return {.num_reads = counters.num_reads.load(std::memory_order_relaxed),
           .num_hits = TileLoader::NumHits(),
           .num_failures = counters.num_failures.load(std::memory_order_relaxed),
-          .num_let_go = counters.num_let_go.load(std::memory_order_relaxed),
+          .num_evicted = counters.num_evicted.load(std::memory_order_relaxed),
           .num_spilled = counters.num_spilled.load(std::memory_order_relaxed),
           .num_unspilled = counters.num_unspilled.load(std::memory_order_relaxed),
           .read_ns = counters.read_ns.load(std::memory_order_relaxed),

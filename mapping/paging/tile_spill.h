@@ -10,16 +10,15 @@
 
 namespace dhpmap {
 
-/// Where tiles are left whose blocks no store has as they are in memory: written since they were read, or not stored
-/// yet. What comes back is the same to the bit, so that it does not depend on what was left when. Of the process: it is
-/// lost with it. Thread-safe.
+/// Takes evicted tiles that no store has in this form: written since they were read, or not stored yet. Tiles come back
+/// exact to the bit, so results do not depend on eviction. Lost with the process. Thread-safe.
 class TileSpill {
  public:
   virtual ~TileSpill() = default;
-  /// Writes the blocks of a tile, of which there are some. What is returned reads them, and gives their place back at
-  /// the end of its life. RESOURCE_EXHAUSTED if the disk is full; nothing is written then.
+  /// Writes the blocks of a tile that has some. The returned source reads them, and its destructor frees their place.
+  /// RESOURCE_EXHAUSTED if the disk is full; then nothing is written.
   virtual Result<std::shared_ptr<TileSource>> Write(const BlockTile& tile) = 0;
-  /// On the disk.
+  /// Size on disk.
   [[nodiscard]] virtual std::int64_t size_bytes() const = 0;
 };
 

@@ -11,7 +11,6 @@
 #include "mapping/fusion/kept_clear_voxels.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/pipeline/assigned_parts.h"
-#include "mapping/tracking/segment_votes.h"
 #include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
@@ -21,25 +20,24 @@ namespace {
 struct SubmapWork {
   Submap* submap;
   std::vector<std::size_t> segments;
-  std::vector<LabelHistograms> votes;  ///< of each
   std::int64_t num_updates = 0;
 };
 
-/// Votes are asked for before submaps change, and with them what their classes are.
-std::vector<SubmapWork> GroupBySubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
-                                      std::span<const Assignment> assignments, Map& map) {
+std::vector<SubmapWork> GroupBySubmap(std::span<const Assignment> assignments, Map& map) {
   std::vector<SubmapWork> works;
-  FrameVotes votes(frame, map);
   for (std::size_t s = 0; s < assignments.size(); ++s) {
     Submap* submap = map.FindMutable(assignments[s].submap);
     auto it = std::find_if(works.begin(), works.end(), [&](const SubmapWork& work) { return work.submap == submap; });
     if (it == works.end()) it = works.insert(works.end(), {submap, {}});
     it->segments.push_back(s);
-    it->votes.push_back(segments[s].row < 0
-                            ? LabelHistograms{}
-                            : votes.Of(frame.segments[static_cast<std::size_t>(segments[s].row)], *submap));
   }
   return works;
+}
+
+/// What the segment of a row counts as in `submap`; nothing without a row or a class, and in the unknown submap.
+std::optional<ClassId> LabelOf(const PanopticFrame& frame, int row, const SubmapInfo& submap) {
+  if (row < 0 || submap.id == kUnknownSubmap) return std::nullopt;
+  return frame.segments[static_cast<std::size_t>(row)].class_id;
 }
 
 /// Nothing, if the map keeps nothing clear. Has a view of the map's regions.
@@ -91,8 +89,7 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
 
   std::optional<KeptClearVoxels> kept_clear = KeptClearVoxelsOf(map, info);
   int last_row = -2;
-  for (std::size_t i = 0; i < work.segments.size(); ++i) {
-    const std::size_t s = work.segments[i];
+  for (const std::size_t s : work.segments) {
     const int row = segments[s].row;
     const SegmentBundles* bundles = &segments[s];
     if (!on_map_grid) {
@@ -101,8 +98,8 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
       if (own == bundled->end()) continue;  // a point or two, on the face of a voxel of another's
       bundles = &*own;
     }
-    work.num_updates +=
-        IntegrateSegment(*bundles, origin, work.votes[i], config, submap, stop, kept_clear ? &*kept_clear : nullptr);
+    work.num_updates += IntegrateSegment(*bundles, origin, LabelOf(frame, row, info), config, submap, stop,
+                                         kept_clear ? &*kept_clear : nullptr);
   }
   if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
   submap.mutable_info().num_frames_observed += 1;
@@ -139,7 +136,7 @@ std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>
 std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                        std::span<const Assignment> assignments, Map& map, ThreadPool& pool,
                        const std::stop_token& stop) {
-  std::vector<SubmapWork> works = GroupBySubmap(frame, segments, assignments, map);
+  std::vector<SubmapWork> works = GroupBySubmap(assignments, map);
   const MapConfig& config = map.info().config;
   const std::vector<std::size_t> by_size = LargestFirst(SizesOf(works, segments, config));
   pool.ParallelFor(works.size(),

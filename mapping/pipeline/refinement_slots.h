@@ -10,11 +10,11 @@
 
 namespace dhpmap {
 
-/// How many refinements of all maps of a process may run at once: each takes a thread and some hundred MB of scratch
-/// memory, so what many maps take together has a bound. Thread-safe.
+/// Limits the concurrent refinements of all maps of a process: each takes a thread and some hundred MB of scratch
+/// memory. Thread-safe.
 class RefinementSlots {
  public:
-  /// One slot; gives it back at its end, which may be on another thread.
+  /// One slot; its destructor returns it, on any thread.
   class Slot {
    public:
     ~Slot() {
@@ -33,9 +33,9 @@ class RefinementSlots {
 
   explicit RefinementSlots(int count) : num_free_(count) {}
 
-  /// Empty if none is free.
+  /// Empty if no slot is free.
   static std::optional<Slot> TryTake(const std::shared_ptr<RefinementSlots>& slots);
-  /// Waits for one; empty once `is_cancelled`, if set, says true, which it is asked many times a second.
+  /// Waits for a slot; empty once `is_cancelled`, if set and polled many times a second, returns true.
   static std::optional<Slot> Take(const std::shared_ptr<RefinementSlots>& slots,
                                   const std::function<bool()>& is_cancelled);
 

@@ -9,26 +9,26 @@
 
 namespace dhpmap {
 
-/// How a frame fits what is known, from a sample of its points.
+/// Agreement of a frame with the map, from a sample of its points.
 struct FrameFit {
-  /// Of points where the map knows the space, those that lie on a surface of it. Nothing: the frame meets so little
-  /// that is known that nobody can tell.
+  /// Share of points on known surfaces, among points in known space. Nothing if too little of the frame is in known
+  /// space.
   std::optional<double> agreeing_fraction;
-  /// Of points within the truncation band of a surface, the distance to it. Nothing: there are too few.
+  /// Median distance to the surface, of points within a truncation band. Nothing if there are too few.
   std::optional<double> median_residual_m;
-  /// Of pixels or points with a return, those within the range that the map takes. Nothing: there is no return.
+  /// Share of returns within the map's range limits. Nothing without any return.
   std::optional<double> valid_depth_fraction;
 };
 
 struct FrameWarning {
   FrameFault fault;
-  std::string message;  ///< for people: what speaks for it
+  std::string message;  ///< for people: the evidence
 };
 
-/// What was found of one frame before it was fused.
+/// Result of checking a frame before fusion.
 struct FrameCheck {
-  std::optional<FrameFit> fit;         ///< none: it was not looked at
-  std::vector<FrameWarning> warnings;  ///< none: nothing speaks against it
+  std::optional<FrameFit> fit;         ///< none: it was not compared
+  std::vector<FrameWarning> warnings;  ///< none: it is plausible
 
   [[nodiscard]] bool IsPlausible() const { return warnings.empty(); }
 };

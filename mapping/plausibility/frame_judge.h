@@ -14,32 +14,32 @@
 
 namespace dhpmap {
 
-/// Tells before a frame is fused whether it fits the map and the frames of its session before it, and if it does not,
-/// what the client has probably mistaken. Warns only of what it has evidence for: a frame that meets nothing known is
-/// not doubted. Costs a sample of the frame, however large that is, and changes nothing of the map. Thread-compatible.
+/// Checks, before fusion, whether a frame fits the map and earlier frames of its session, and if not, which mistake of
+/// the client explains it. Warns only on evidence: a frame in unknown space raises no doubt. Constant cost, on a sample
+/// of the frame; does not change the map. Thread-compatible.
 class FrameJudge {
  public:
-  /// The frame is valid, and known from now on as one of its session. Throws StatusError where tiles of the map cannot
+  /// The frame must be valid; it becomes part of its session's history. Throws StatusError if tiles of the map cannot
   /// be read.
   FrameCheck Judge(const PanopticFrame& frame, const Map& map);
-  /// The frame is fused: the next one's stamp should be after its.
+  /// Call after fusion: the next stamp should be later than this frame's.
   void NoteFused(const PanopticFrame& frame);
-  /// The next frame of the session may have any stamp.
+  /// Allows any stamp for the session's next frame.
   void ForgetStamp(const std::string& session);
 
  private:
-  /// What the last frames of a session were like.
+  /// Recent frames of a session.
   struct Session {
     std::string name;
     std::optional<std::int64_t> last_stamp_ns;
-    std::deque<EarlierView> views;  ///< from places apart, the newest last
+    std::deque<EarlierView> views;  ///< from distinct places, the newest last
 
     void Remember(const PanopticFrame& frame);
   };
 
   Session& SessionOf(const std::string& name);
 
-  std::list<Session> sessions_;  ///< those heard of last come first
+  std::list<Session> sessions_;  ///< most recently used first
 };
 
 }  // namespace dhpmap

@@ -16,50 +16,50 @@
 
 namespace dhpmap {
 
-/// What space that nobody has seen is for a check.
+/// How a check treats unseen space.
 enum class UnknownSpace : std::uint8_t {
-  kOccupied,  ///< in the way
-  kReported,  ///< not in the way, and told
-  kFree,      ///< not in the way
+  kOccupied,  ///< an obstacle
+  kReported,  ///< no obstacle, but reported
+  kFree,      ///< no obstacle
 };
 
-/// Where a body touches a submap, or is in space that nobody has seen.
+/// A contact of a body with a submap, or with unseen space.
 struct BodyContact {
   const SubmapInfo* submap = nullptr;  ///< null: unseen space. Valid as long as the surfaces
-  /// How deep. Of a sphere its radius less the distance of its centre; else the least way along the normal of a
-  /// triangle that it touches which takes it to the front of that. 0 in unseen space.
+  /// Penetration depth. For a sphere, radius minus centre distance; else the shortest translation along the normal of a
+  /// touched triangle that ends the contact. 0 in unseen space.
   double depth_m = 0;
-  Eigen::Vector3d point_m = Eigen::Vector3d::Zero();  ///< on the surface; of unseen space a voxel's centre
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< out of the surface, unit; of unseen space zero
+  Eigen::Vector3d point_m = Eigen::Vector3d::Zero();  ///< on the surface; for unseen space a voxel's centre
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< out of the surface, unit; zero for unseen space
 };
 
-/// What is said of a body.
+/// The answer for a body.
 struct BodyAnswer {
   bool is_colliding = false;
-  bool is_unknown = false;            ///< it touches nothing, but is in part where nobody has seen
-  std::vector<BodyContact> contacts;  ///< of unseen space one at most
+  bool is_unknown = false;            ///< no contact, but partly in unseen space
+  std::vector<BodyContact> contacts;  ///< at most one for unseen space
 };
 
 struct BodyOptions {
-  double max_distance_m = 3;  ///< so deep inside an object a body is found to be so
+  double max_distance_m = 3;  ///< maximum depth inside an object at which a body is detected
   UnknownSpace unknown = UnknownSpace::kOccupied;
   QueryScope scope;
 };
 
-/// Whether bodies touch what there is in a state of a map: a surface, which may be grown by its padding, the inside of
-/// an object (where DistanceQuery is negative), or, if so asked, space that nobody has seen (VisitUnseen). A sphere
-/// touches what is no farther from its centre than its radius. Bodies are of the map frame. Immutable, thread-safe.
+/// Collision checks of bodies against a state of a map: surfaces, grown by their padding; the inside of objects (where
+/// DistanceQuery is negative); and, on request, unseen space (VisitUnseen). A sphere touches everything within its
+/// radius. Bodies are in the map frame. Immutable, thread-safe.
 class BodyQuery {
  public:
   BodyQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options);
 
-  // Where `work` is over in between, the answer means nothing.
-  /// Ends at the first contact it finds, and tells none.
+  // If `work` runs out, the answer is meaningless.
+  /// Stops at the first contact and does not report it.
   [[nodiscard]] BodyAnswer Test(const Body& body, WorkBudget* work = nullptr) const;
-  /// With a contact for each object that it touches, the deepest first, up to `max_contacts`.
+  /// One contact for each object that it touches, the deepest first, at most `max_contacts`.
   [[nodiscard]] BodyAnswer Check(const Body& body, std::size_t max_contacts = 1, WorkBudget* work = nullptr) const;
 
-  /// Whose inside a place is, if anybody's: where its distance is negative.
+  /// The object that contains a point, if any: where its distance is negative.
   [[nodiscard]] std::optional<SurfaceDistance> InsideOf(const Eigen::Vector3d& p_map) const;
 
  private:
@@ -78,7 +78,7 @@ class BodyQuery {
   [[nodiscard]] BodyAnswer TestShape(const Shape& body, WorkBudget* work) const;
   template <typename Shape>
   [[nodiscard]] BodyAnswer CheckShape(const Shape& body, std::size_t max_contacts, WorkBudget* work) const;
-  /// Adds what unseen space means for a body that touches nothing.
+  /// Adds the result of unseen space for a body without contacts.
   template <typename Shape>
   void AddUnseen(const Shape& body, BodyAnswer& answer, WorkBudget* work) const;
 

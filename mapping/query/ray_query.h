@@ -10,32 +10,32 @@
 
 namespace dhpmap {
 
-/// Map frame; the direction is of unit length.
+/// Map frame; unit direction.
 struct Ray {
   Eigen::Vector3d origin_m, direction;
 };
 
-/// What a ray meets first, and how far it goes through what is known.
+/// First hit of a ray, and the length of its known part.
 struct RayHit {
-  const SubmapInfo* submap = nullptr;  ///< whose surface it meets; null: none within the limit. Valid as the surfaces
-  double distance_m = 0;               ///< from the origin; the limit, if it meets nothing
-  Eigen::Vector3d point_m;             ///< NaN if it meets nothing
-  Eigen::Vector3d normal;              ///< of the surface, unit, to its front; NaN if it meets nothing
-  bool is_unknown = false;             ///< before that it enters space that nobody has seen
-  double free_m = 0;                   ///< so far it goes until it meets something or enters the unseen
+  const SubmapInfo* submap =
+      nullptr;              ///< owner of the surface; null: no hit within the limit. Valid as long as the surfaces
+  double distance_m = 0;    ///< from the origin; the limit without a hit
+  Eigen::Vector3d point_m;  ///< NaN without a hit
+  Eigen::Vector3d normal;   ///< of the surface, unit, to its front; NaN without a hit
+  bool is_unknown = false;  ///< the ray enters unseen space before the hit
+  double free_m = 0;        ///< length up to the hit or to unseen space
 };
 
 struct RayOptions {
   double max_distance_m = 3;     ///< finite, positive
-  bool unknown_is_free = false;  ///< unseen space is passed like any other
-  QueryScope scope;              ///< padding has no meaning here
+  bool unknown_is_free = false;  ///< unseen space does not end free_m
+  QueryScope scope;              ///< padding is ignored
 };
 
 /// Whether a ray meets the surface of one submap within a finite limit.
 bool MeetsSubmap(const MapSurfaces& surfaces, std::size_t number, const Ray& ray, double limit_m);
 
-/// Rays through a state of a map, to the same surfaces that distances are measured to, seen from either side.
-/// Immutable, thread-safe.
+/// Ray casts in a state of a map, against both sides of the surfaces that distances refer to. Immutable, thread-safe.
 class RayQuery {
  public:
   RayQuery(std::shared_ptr<const MapSurfaces> surfaces, RayOptions options);
@@ -45,7 +45,7 @@ class RayQuery {
 
  private:
   [[nodiscard]] RayHit FirstHit(const Ray& ray) const;
-  /// How far the ray goes through voxels of the map's grid that somebody has seen, up to `end_m`.
+  /// Length of the ray through observed voxels of the map's grid, up to `end_m`.
   [[nodiscard]] double SeenUpTo(const Ray& ray, double end_m) const;
 
   QueryWorld world_;

@@ -16,36 +16,35 @@ namespace dhpmap {
 
 enum class RelationKind : std::uint8_t {
   kOn,      ///< the subject rests on the object
-  kIn,      ///< the object encloses the subject; of several in each other the innermost
-  kNextTo,  ///< beside each other, at one height; told once, the one of less id as the subject
+  kIn,      ///< the object encloses the subject; for nested objects, the innermost
+  kNextTo,  ///< adjacent, at one height; reported once, with the smaller id as the subject
 };
 
-/// What makes a relation; see resting.h, enclosure.h and free_way.h for how it is measured. Up is z of the asker's
-/// frame.
+/// Thresholds of relations; resting.h, enclosure.h and free_way.h define the measures. Up is z of the query's frame.
 struct RelationRules {
-  // On: of the columns of the subject that anything holds up, the share that the object does.
+  // On: share of the subject's supported columns that the object supports.
   double least_support = 0.3;
-  // In: what is below and above the subject counts a quarter each, what is around it half. A table under a cup has a
-  // quarter, a shelf's boards, sides and back some 0.7 to 0.8.
+  // In: enclosure below and above the subject counts a quarter each, around it half. A table under a cup gives a
+  // quarter; boards, sides and back of a shelf about 0.7 to 0.8.
   double least_enclosure = 0.65;
-  // Next to: neither on nor in each other, nothing between, surfaces no farther apart, and heights that share so much
-  // of the lower one.
+  // Next to: neither on nor in each other, nothing in between, a maximum gap of the surfaces, and a minimum overlap in
+  // height, as a share of the lower one.
   double most_gap_m = 0.5;
   double least_height_share = 0.5;
 };
 
-/// One thing to another, with the numbers that led to it; those that the relation does not ask for are 0.
+/// A relation of two objects, with its measures; those that do not apply are 0.
 struct Relation {
   RelationKind kind = RelationKind::kOn;
   const Submap* subject = nullptr;
   const Submap* object = nullptr;
   double support = 0;       ///< on: see RelationRules
   double enclosure = 0;     ///< in: likewise
-  double gap_m = 0;         ///< between the surfaces, to half a voxel or so: of next to along a way with nothing on it
+  double gap_m = 0;         ///< between the surfaces, within about half a voxel; for next to along an unobstructed line
   double height_share = 0;  ///< next to: likewise
 };
 
-/// Where a relation stands among others.
+/// Position of a relation in the order, for paging.
 struct RelationPlace {
   SubmapId subject, object;
   RelationKind kind = RelationKind::kOn;
@@ -53,18 +52,18 @@ struct RelationPlace {
 };
 
 struct RelationQuestion {
-  Transform T_map_query = Transform::Identity();  ///< from the asker's frame
+  Transform T_map_query = Transform::Identity();  ///< transform of the query's frame
   QueryScope scope;
   RelationRules rules;
-  std::optional<SubmapId> submap;                  ///< only those with it as the subject or object
-  std::optional<std::vector<RelationKind>> kinds;  ///< only these
-  std::optional<RelationPlace> after;              ///< only those that come after it
-  std::size_t most = 1000;                         ///< so many at most, those of least ids
+  std::optional<SubmapId> submap;                  ///< only relations with it as subject or object
+  std::optional<std::vector<RelationKind>> kinds;  ///< only these kinds
+  std::optional<RelationPlace> after;              ///< only relations after this position
+  std::size_t most = 1000;                         ///< limit; the first in the order
 };
 
-/// By ascending subject, object and kind. Subjects are things, objects of `on` and `in` are things or stuff, of
-/// `next to` things; the unknown submap is neither. Makes surfaces that are not there. Gives up, with what it has, soon
-/// after `stop` is requested. What it refers to lasts as long as the surfaces.
+/// By ascending subject, object and kind. Subjects are things; objects of `on` and `in` are things or stuff, of `next
+/// to` things; never the unknown submap. Computes missing surfaces. Returns partial results soon after a `stop`
+/// request. References are valid as long as the surfaces.
 std::vector<Relation> FindRelations(const MapSurfaces& surfaces, const RelationQuestion& question,
                                     const std::stop_token& stop = {});
 

@@ -18,36 +18,36 @@
 
 namespace dhpmap {
 
-/// Where a submap stands among what was found.
+/// Position of a match in the order, for paging.
 struct MatchPlace {
-  double distance_m = 0;  ///< from near_m; 0 without that
+  double distance_m = 0;  ///< from near_m; 0 without it
   SubmapId id;
   auto operator<=>(const MatchPlace&) const = default;
 };
 
-/// Which submaps: those that pass all that is given. Places are in the asker's frame. Who asks for classes looks for
-/// things of these, not for obstacles: the unknown submap, which stays in the way of other queries, is none.
+/// A filter of submaps: all given conditions must hold. Positions are in the query's frame. A filter by class finds
+/// objects, not obstacles, so it never matches the unknown submap, which remains an obstacle of other queries.
 struct SubmapQuestion {
-  Transform T_map_query = Transform::Identity();  ///< from the asker's frame
+  Transform T_map_query = Transform::Identity();  ///< transform of the query's frame
   QueryScope scope;
-  std::string name_part;                     ///< of the display name, in any case of ASCII letters
-  std::optional<Eigen::AlignedBox3d> box_m;  ///< some of the surface is in it
+  std::string name_part;                     ///< part of the display name, ignoring ASCII case
+  std::optional<Eigen::AlignedBox3d> box_m;  ///< some of its surface is inside
   std::optional<BoundingSphere> sphere_m;    ///< likewise
-  std::optional<Eigen::Vector3d> near_m;     ///< the nearest to it come first, else those of least id
-  std::optional<double> max_distance_m;      ///< from there
-  std::optional<MatchPlace> after;           ///< only those that come after it
-  std::size_t most = 100;                    ///< so many at most
+  std::optional<Eigen::Vector3d> near_m;     ///< order by distance to it, else by id
+  std::optional<double> max_distance_m;      ///< from near_m
+  std::optional<MatchPlace> after;           ///< only matches after this position
+  std::size_t most = 100;                    ///< limit
 };
 
 struct SubmapMatch {
   const Submap* submap = nullptr;
-  double distance_m = 0;      ///< from near_m to its surface; 0 without that
-  Eigen::Vector3d nearest_m;  ///< on its surface; NaN without
-  Eigen::AlignedBox3d box_m;  ///< around its surface, along the axes of the asker's frame
+  double distance_m = 0;      ///< from near_m to its surface; 0 without it
+  Eigen::Vector3d nearest_m;  ///< on its surface; NaN without near_m
+  Eigen::AlignedBox3d box_m;  ///< axis-aligned box around its surface, in the query's frame
 };
 
-/// Looks only into submaps whose boxes say that they may be among the nearest. Makes surfaces that are not there.
-/// Gives up, with what it has, soon after `stop` is requested. What it refers to lasts as long as the surfaces.
+/// Examines only submaps whose boxes may be among the nearest. Computes missing surfaces. Returns partial results soon
+/// after a `stop` request. References are valid as long as the surfaces.
 std::vector<SubmapMatch> SearchSubmaps(const MapSurfaces& surfaces, const SubmapQuestion& question,
                                        const std::stop_token& stop = {});
 

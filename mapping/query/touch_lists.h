@@ -9,11 +9,11 @@
 
 namespace dhpmap {
 
-/// Which submaps each part of a robot may touch: QueryScope::may_touch of what is asked of it. Parts that may touch the
-/// same share a list. Value type.
+/// Allowed contacts of each part of a robot (QueryScope::may_touch). Parts with the same contacts share a list. Value
+/// type.
 struct TouchLists {
   std::vector<std::vector<SubmapId>> lists = {{}};  ///< at least one
-  std::vector<std::uint32_t> list_of;               ///< by number of the part; empty: all have the first
+  std::vector<std::uint32_t> list_of;               ///< by number of the part; empty: the first list for all
 
   [[nodiscard]] std::size_t ListOf(std::size_t part) const { return list_of.empty() ? 0 : list_of[part]; }
 };

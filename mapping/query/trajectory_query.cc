@@ -12,9 +12,9 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// From the origin of the robot's frame.
-double ReachOf(const std::vector<CarriedBody::Ball>& balls) {
+double ReachOf(const std::vector<AttachedShape::Ball>& balls) {
   double reach_m = 0;
-  for (const CarriedBody::Ball& ball : balls) reach_m = std::max(reach_m, ball.center_m.norm() + ball.radius_m);
+  for (const AttachedShape::Ball& ball : balls) reach_m = std::max(reach_m, ball.center_m.norm() + ball.radius_m);
   return reach_m;
 }
 
@@ -50,7 +50,7 @@ Result<TrajectoryQuery> TrajectoryQuery::Make(std::shared_ptr<const MapSurfaces>
   for (std::size_t i = 0; i < query.options_.attached.size(); ++i) {
     if (stop.stop_requested()) return NobodyWaits();
     const AttachedObject& attached = query.options_.attached[i];
-    CarriedBody body = WholeBodyOf(*query.surfaces_, attached.submap, kMostBalls);
+    AttachedShape body = WholeBodyOf(*query.surfaces_, attached.submap, kMostBalls);
     if (body.num_balls > kMostBalls) {
       return ResourceExhausted("the trajectories cannot be checked")
           .WithViolation("options.attached[" + std::to_string(i) + "].submap", "is too large to be carried");
@@ -86,15 +86,15 @@ void TrajectoryQuery::Add(const SweepQuery& query, const TrajectoryContact& part
   }
 }
 
-SweepAnswer TrajectoryQuery::SweepCarried(const SweepQuery& query, const CarriedBody& body, const RigidPath& path,
-                                          double until, const std::stop_token& stop, WorkBudget* work) {
+SweepAnswer TrajectoryQuery::SweepAttached(const SweepQuery& query, const AttachedShape& body, const RigidPath& path,
+                                           double until, const std::stop_token& stop, WorkBudget* work) {
   SweepAnswer best;
-  for (const CarriedBody::Group& group : body.groups) {
+  for (const AttachedShape::Group& group : body.groups) {
     if (stop.stop_requested() || !SpendOf(work, 1)) break;
     const SweepAnswer rough =
         query.First(path.Carried(group.around.center_m, group.around.radius_m), until, stop, work);
     if (!rough.first && !rough.unknown_at) continue;
-    for (const CarriedBody::Ball& ball : group.balls) {
+    for (const AttachedShape::Ball& ball : group.balls) {
       if (stop.stop_requested() || !SpendOf(work, 1)) break;  // on a long way each takes its time
       const SweepAnswer found = query.First(path.Carried(ball.center_m, ball.radius_m), until, stop, work);
       if (found.unknown_at) best.unknown_at = std::min(found.unknown_at.value(), best.unknown_at.value_or(kNever));
@@ -127,12 +127,12 @@ std::optional<TrajectoryClearance> TrajectoryQuery::ClearanceOf(const RobotMotio
   }
   for (std::size_t i = 0; i < carried_.size(); ++i) {
     const RigidPath path(motion.attached[i], carried_[i].body.reach_m);
-    for (const CarriedBody::Group& group : carried_[i].body.groups) {
+    for (const AttachedShape::Group& group : carried_[i].body.groups) {
       if (stop.stop_requested() || !SpendOf(work, 1)) return std::nullopt;
       LeastClearance around = least;
       const ClearanceQuery& query = *carried_[i].clearance;
       if (!query.Lower(path.Carried(group.around.center_m, group.around.radius_m), around, stop, work)) continue;
-      for (const CarriedBody::Ball& ball : group.balls) {
+      for (const AttachedShape::Ball& ball : group.balls) {
         if (!query.Lower(path.Carried(ball.center_m, ball.radius_m), least, stop, work)) continue;
         found.sphere.reset();
         found.attached = i;
@@ -159,14 +159,14 @@ Result<TrajectoryAnswer> TrajectoryQuery::Check(const RobotMotion& motion, const
   const RigidPath robot_path(motion.waypoints, ReachOf(motion.robot));
   for (std::size_t i = 0; i < motion.robot.size(); ++i) {
     if (is_over()) return NobodyWaits();
-    const CarriedBody::Ball& ball = motion.robot[i];
+    const AttachedShape::Ball& ball = motion.robot[i];
     add_sphere(motion.spheres.size() + i, robot_path.Carried(ball.center_m, ball.radius_m));
   }
   for (std::size_t i = 0; i < carried_.size(); ++i) {
     if (is_over()) return NobodyWaits();
     const RigidPath path(motion.attached[i], carried_[i].body.reach_m);
     const auto sweep = [&](const SweepQuery& query, double until) {
-      return SweepCarried(query, carried_[i].body, path, until, stop, work);
+      return SweepAttached(query, carried_[i].body, path, until, stop, work);
     };
     Add(carried_[i].query, {.at = 0, .sphere = {}, .attached = i, .contact = {}}, sweep, stop, work, answer,
         unknown_at);

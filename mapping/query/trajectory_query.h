@@ -9,100 +9,103 @@
 
 #include "mapping/base/result.h"
 #include "mapping/geometry/moving_sphere.h"
-#include "mapping/query/carried_body.h"
+#include "mapping/query/attached_shape.h"
 #include "mapping/query/clearance_query.h"
 #include "mapping/query/sweep_query.h"
 #include "mapping/query/touch_lists.h"
 
 namespace dhpmap {
 
-/// What a robot carries, and may touch with it.
+/// An object that the robot carries, and the submaps that it may touch.
 struct AttachedObject {
   SubmapId submap;
   std::vector<SubmapId> may_touch;
 };
 
-/// A motion of the map frame, through the same number of waypoints for all parts of the robot: spheres at each of them,
+/// A motion in the map frame, with the same number of waypoints for all parts of the robot: spheres at each waypoint,
 /// or a rigid robot.
 struct RobotMotion {
-  std::vector<std::vector<SphereKnot>> spheres;  ///< of each its knots
-  std::vector<CarriedBody::Ball> robot;          ///< numbered after those
+  std::vector<std::vector<SphereKnot>> spheres;  ///< knots of each sphere
+  std::vector<AttachedShape::Ball> robot;        ///< numbered after the spheres
   std::vector<Transform> waypoints;              ///< T_map_robot
-  std::vector<std::vector<Transform>> attached;  ///< T_map_submap of what is attached, in its order, at each waypoint
+  std::vector<std::vector<Transform>>
+      attached;  ///< T_map_submap of the attached objects, in their order, at each waypoint
 };
 
 struct TrajectoryOptions {
-  BodyOptions bodies;  ///< whose scope has all that is attached
+  BodyOptions bodies;  ///< its scope excludes all attached objects
   std::vector<AttachedObject> attached;
-  TouchLists spheres{};  ///< what each of the spheres may touch, and of the robot
-  /// 1: the first of all. More: the first of each part of the robot with each object, the earliest so many; the first
-  /// of a part may be with the inside of an object, the others are with surfaces.
+  TouchLists spheres{};  ///< allowed contacts of the spheres, and of the robot's
+  /// 1: only the first contact. More: the first contact of each part of the robot with each object, earliest first. The
+  /// first of a part may be with the inside of an object, the others are with surfaces.
   std::size_t max_contacts = 1;
-  bool with_clearance = false;  ///< tell how near each motion comes to surfaces
+  bool with_clearance = false;  ///< compute the clearance of each motion
 };
 
-/// What some part of a robot meets first of some object.
+/// First contact of a part of the robot with an object.
 struct TrajectoryContact {
-  double at;                            ///< when, in waypoints
-  std::optional<std::size_t> sphere;    ///< which of the spheres, or
-  std::optional<std::size_t> attached;  ///< which of what is attached
+  double at;                            ///< time, in waypoints
+  std::optional<std::size_t> sphere;    ///< index of the sphere, or
+  std::optional<std::size_t> attached;  ///< index of the attached object
   BodyContact contact;
   double depth_then_m = 0;  ///< see SweepContact
 };
 
-/// Where a motion is nearest to a surface that is in the way of the part that is so near.
+/// The smallest distance between a moving part and a surface that is an obstacle for it.
 struct TrajectoryClearance {
   LeastClearance least;
-  std::optional<std::size_t> sphere{};    ///< which of the spheres, or
-  std::optional<std::size_t> attached{};  ///< which of what is attached
+  std::optional<std::size_t> sphere{};    ///< index of the sphere, or
+  std::optional<std::size_t> attached{};  ///< index of the attached object
 };
 
 struct TrajectoryAnswer {
   bool is_valid = true;
-  bool is_unknown = false;                  ///< before it meets any surface it is where nobody has seen
-  std::vector<TrajectoryContact> contacts;  ///< the first first
-  /// With clearance, if there is a surface within max_distance_m of the robot: see ClearanceQuery. If the first contact
-  /// is deeper when it is met, that.
+  bool is_unknown = false;                  ///< enters unseen space before any contact
+  std::vector<TrajectoryContact> contacts;  ///< in order of time
+  /// With clearance, if a surface is within max_distance_m of the robot: see ClearanceQuery. The first contact instead
+  /// if it is deeper.
   std::optional<TrajectoryClearance> clearance{};
 };
 
-/// Whether robots, as spheres, can go along trajectories with what they carry: see SweepQuery. What is carried is there
-/// as the spheres of CarriedBody, which stick out by up to half a voxel's diagonal. Immutable, thread-safe.
+/// Checks trajectories of robots, as spheres, with their attached objects: see SweepQuery. Attached objects are the
+/// spheres of AttachedShape, which exceed them by up to half a voxel's diagonal. Immutable, thread-safe.
 class TrajectoryQuery {
  public:
-  /// RESOURCE_EXHAUSTED if something attached has more than kMostBalls voxels of surface: no robot carries it.
-  /// CANCELLED if `stop` is requested before the last of what is attached is looked at.
+  /// RESOURCE_EXHAUSTED if an attached object has more than kMostBalls surface voxels, too many for a carried object.
+  /// CANCELLED on a `stop` request during the preparation of attached objects.
   static Result<TrajectoryQuery> Make(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options,
                                       const std::stop_token& stop = {});
   static constexpr std::size_t kMostBalls = 50'000;
 
-  /// CANCELLED soon after `stop` is requested, or `work` is over.
+  /// CANCELLED soon after a `stop` request, or if `work` runs out.
   [[nodiscard]] Result<TrajectoryAnswer> Check(const RobotMotion& motion, const std::stop_token& stop = {},
                                                WorkBudget* work = nullptr) const;
 
  private:
   struct Carried {
-    CarriedBody body;
+    AttachedShape body;
     SweepQuery query;
     std::optional<ClearanceQuery> clearance{};
   };
   TrajectoryQuery(std::shared_ptr<const MapSurfaces> surfaces, TrajectoryOptions options);
   [[nodiscard]] SweepQuery QueryOf(const std::vector<SubmapId>& may_touch) const;
 
-  /// Adds what one part of the robot meets. `sweep(query, until)` finds the first of it. After `stop` not all of it.
+  /// Adds the contacts of one part of the robot; incomplete after `stop`. `sweep(query, until)` finds its first
+  /// contact.
   template <typename Sweep>
   void Add(const SweepQuery& query, const TrajectoryContact& part, const Sweep& sweep, const std::stop_token& stop,
            WorkBudget* work, TrajectoryAnswer& answer, double& unknown_at) const;
   [[nodiscard]] std::optional<TrajectoryClearance> ClearanceOf(const RobotMotion& motion, const std::stop_token& stop,
                                                                WorkBudget* work) const;
-  /// Ends soon after `stop` is requested, with what it has.
-  [[nodiscard]] static SweepAnswer SweepCarried(const SweepQuery& query, const CarriedBody& body, const RigidPath& path,
-                                                double until, const std::stop_token& stop, WorkBudget* work);
+  /// Returns partial results soon after a `stop` request.
+  [[nodiscard]] static SweepAnswer SweepAttached(const SweepQuery& query, const AttachedShape& body,
+                                                 const RigidPath& path, double until, const std::stop_token& stop,
+                                                 WorkBudget* work);
 
   TrajectoryOptions options_;
   std::shared_ptr<const MapSurfaces> surfaces_;
-  std::vector<SweepQuery> spheres_;       ///< by list of what they may touch
-  std::vector<ClearanceQuery> clear_of_;  ///< the same, if that is asked for
+  std::vector<SweepQuery> spheres_;       ///< by list of allowed contacts
+  std::vector<ClearanceQuery> clear_of_;  ///< the same, if clearance is wanted
   std::vector<Carried> carried_;
 };
 

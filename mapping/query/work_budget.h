@@ -9,15 +9,14 @@
 
 namespace dhpmap {
 
-/// What a question may cost, and whether anybody still waits for its answer. A unit is a triangle, a voxel or a step
-/// that is looked at; for a large box it takes some 0.3 us. Once the budget is over, the question is given up and its
-/// answer means nothing. Thread-compatible.
+/// Limits the work of a query, and stops it when its client is gone. A unit is a triangle, voxel or step; about 0.3 us
+/// for a large box. Once the budget is spent, the query is abandoned and its answer meaningless. Thread-compatible.
 class WorkBudget {
  public:
   explicit WorkBudget(std::int64_t most = std::numeric_limits<std::int64_t>::max(), std::stop_token stop = {})
       : most_(most), stop_(std::move(stop)) {}
 
-  /// False once it is over: more than all is spent, or a stop was requested a moment ago.
+  /// False once the budget is spent or a stop was requested.
   bool Spend(std::int64_t units) {
     spent_ += units;
     return spent_ < next_look_ || Look();
@@ -41,7 +40,7 @@ class WorkBudget {
   bool is_over_ = false;
 };
 
-/// The same where there may be none.
+/// The same for an optional budget.
 inline bool SpendOf(WorkBudget* work, std::int64_t units) { return work == nullptr || work->Spend(units); }
 
 }  // namespace dhpmap

@@ -11,30 +11,30 @@
 
 namespace dhpmap {
 
-/// What a refinement wrote to one submap, by block. All erased: the submap is no longer there.
+/// Blocks that a refinement wrote to one submap. If all are erased, the submap was removed.
 struct RefinedSubmap {
   SubmapId id;
-  std::vector<BlockEntry> written;  ///< as they are afterwards
+  std::vector<BlockEntry> written;  ///< their final content
   std::vector<BlockIndex> erased;
 };
 
-/// What a refinement on the side made of a state, without that state: while mapping goes on, each block of a state that
-/// is kept is soon memory that only the state still needs.
+/// The result of a background refinement, without the state it started from: keeping that state would keep all blocks
+/// in memory that mapping has replaced meanwhile.
 struct RefinementOutcome {
-  std::shared_ptr<const StateMarks> before;  ///< of the state that it began with
-  std::vector<RefinedSubmap> written;        ///< by ascending id, also submaps of which no block differs
+  std::shared_ptr<const StateMarks> before;  ///< marks of the state that it started from
+  std::vector<RefinedSubmap> written;        ///< by ascending id, including submaps without changed blocks
 };
 
-/// Tells what a refinement has written. `refined` must come from `part` of the state of `before` (see GoOnFrom).
+/// The blocks that a refinement has written. `refined` must derive from `part` of the state of `before` (see GoOnFrom).
 RefinementOutcome OutcomeOf(std::shared_ptr<const StateMarks> before, const MapSnapshot& refined,
                             const RegionPart& part = {});
 
-/// Brings what was refined on the side into the map that went on from the state that the refinement began with. Taken
-/// position by position (one block index, all submaps): where no settled submap of that state was written since, the
-/// refined state is taken; where one was, and where one that held or was given voxels is gone, is locked or was edited
-/// since (SubmapInfo::edited_revision), everything stays as it is now, to be refined the next time. So each voxel keeps
-/// exactly one of both states, and nothing observed is lost. What took no part in the refinement (IsRefined) is no
-/// hindrance. Returns how many positions were left. Call it from the map's writer.
+/// Merges a background refinement into the map, which mapping has changed meanwhile. Decides by position (one block
+/// index, all submaps): the refined state is taken if no inactive submap of the old state was written there since.
+/// Otherwise, and if a submap that held or received voxels there was removed, locked or edited since
+/// (SubmapInfo::edited_revision), the present state stays until the next refinement. Each voxel thus keeps exactly one
+/// of both states, and no observation is lost. Submaps that are not refined (IsRefined) do not matter. Returns how many
+/// positions were left. Call it from the map's writer.
 std::int64_t AdoptRefinement(const RefinementOutcome& outcome, Map& map);
 
 }  // namespace dhpmap

@@ -18,37 +18,37 @@ namespace dhpmap {
 struct RefinementReport {
   ManagementReport management;
   LabelCrfReport crf;
-  std::int64_t num_stray_voxels = 0;     ///< see AbsorbStrayVoxels
-  double management_s = 0, crf_s = 0;    ///< wall time
-  std::int64_t num_bytes_dropped = 0;    ///< by drop_voxel_labels
-  std::int64_t num_deferred_blocks = 0;  ///< refined on the side, but written meanwhile: left for the next time
+  std::int64_t num_stray_voxels = 0;   ///< see AbsorbStrayVoxels
+  double management_s = 0, crf_s = 0;  ///< wall time
+  std::int64_t num_bytes_dropped = 0;  ///< by drop_voxel_labels
+  std::int64_t num_deferred_blocks =
+      0;  ///< refined in the background but written meanwhile: left for the next refinement
 
   RefinementReport& operator+=(const RefinementReport& other);
 };
 
-/// Settled things, all background classes and the unknown submap are refined together (paper II-D). What is absent or
-/// locked is not, and a voxel that is contradicted (GoneBlock) stays as it is.
+/// Inactive things, all background classes and the unknown submap are refined together (paper II-D), except absent and
+/// locked ones. Contradicted voxels (GoneBlock) do not change.
 bool IsSettled(const SubmapInfo& info);
-/// Whether refinement may read and write its voxels: it is settled and shares the map's grid (IsExclusive).
+/// Whether refinement may read and write its voxels: IsSettled, and on the map's grid (IsExclusive).
 bool IsRefined(const SubmapInfo& info, const MapConfig& config);
-/// Those that share the map's grid and those that do not.
+/// All submaps that are IsSettled, on the map's grid or not.
 std::vector<SubmapId> SettledSubmaps(const Map& map);
 
-/// Label management, the CRF and the return of stray voxels (AbsorbStrayVoxels) on the settled submaps, each part if
-/// its switch in the map's config is on (paper II-D and II-E). Does not depend on the number of threads.
-/// `is_cancelled`, if set, is asked now and then; once it says true, the map is left half refined and must be thrown
-/// away. With `region`, only its cubes: all regions of a map one after the other, in any order, make of it what one
-/// call without a region makes.
+/// Label management, the CRF and the absorption of stray voxels (AbsorbStrayVoxels) on the inactive submaps (paper II-D
+/// and II-E); the map's config enables each part. Independent of the number of threads. `is_cancelled`, if set, is
+/// polled; once it returns true, the map is left half refined and must be discarded. With `region`, only its cubes are
+/// refined: all regions in any order give the same map as one call without a region.
 RefinementReport RefineMap(Map& map, ThreadPool& pool, const RefinementRegion* region = nullptr,
                            const std::function<bool()>& is_cancelled = {});
 
-/// RefineMap in two: all but stray voxels, which only whole things can tell, and these.
+/// RefineMap in two steps: all except stray voxels, which need whole things; then stray voxels.
 RefinementReport RefineRegion(Map& map, ThreadPool& pool, const RefinementRegion* region,
                               const std::function<bool()>& is_cancelled = {});
 RefinementReport RefineStrayVoxels(Map& map, ThreadPool& pool);
 
-/// Drops the labels of voxels of all labelled submaps that are not locked and share the map's grid (paper II-D):
-/// afterwards a voxel has the label of its submap. Returns the bytes saved. Call it where positions are exclusive.
+/// Drops the voxel labels of all submaps that are not locked and on the map's grid (paper II-D): a voxel then has the
+/// label of its submap. Returns the bytes saved. Requires exclusive positions.
 std::int64_t DropVoxelLabels(Map& map);
 
 }  // namespace dhpmap

@@ -24,9 +24,7 @@ float EnergyOf(float evidence, float all) { return -evidence / std::sqrt(all + k
 
 /// Evidence becomes unaries. Labels that do not occur within reach of a voxel are impossible there, so that a crowd
 /// elsewhere in the tile says nothing about it; one that does, and that it has not seen, has no evidence.
-/// `unit`: what a sighting counts.
-void BecomeUnaries(const TileProblem& problem, std::uint32_t unit, std::span<float> values) {
-  const float sightings = 1.0f / static_cast<float>(unit);
+void BecomeUnaries(const TileProblem& problem, std::span<float> values) {
   const LabelChannels& channels = problem.channels();
   const auto num_channels = static_cast<std::size_t>(channels.num_channels());
   for (std::size_t m = 0; m < problem.members().size(); ++m) {
@@ -34,7 +32,7 @@ void BecomeUnaries(const TileProblem& problem, std::uint32_t unit, std::span<flo
     const float all = std::accumulate(row.begin(), row.end(), 0.0f);
     for (std::uint32_t c = 0; c < num_channels; ++c) {
       const bool is_near = channels.LabelAt(problem.members()[m].place, c) != LabelChannels::kNone;
-      row[c] = is_near ? EnergyOf(row[c] * sightings, all * sightings) : std::numeric_limits<float>::infinity();
+      row[c] = is_near ? EnergyOf(row[c], all) : std::numeric_limits<float>::infinity();
     }
   }
 }
@@ -52,7 +50,7 @@ ScratchVector<float> TileMarginals(const TileProblem& problem, const MapConfig& 
   crf.SetPoints(problem.Points(), KernelOf(config.smoothness), KernelOf(config.appearance));
   ScratchVector<float> values =
       GatherEvidence(problem, config.evidence_radius_m / problem.voxel_size_m(), problem.voxel_size_m());
-  BecomeUnaries(problem, map_config.tracking.SightingUnit(), values);
+  BecomeUnaries(problem, values);
   const int num_channels[] = {problem.channels().num_channels()};
   crf.Infer(num_channels, config.crf_iterations, values);
   return values;

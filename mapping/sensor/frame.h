@@ -16,30 +16,30 @@
 
 namespace dhpmap {
 
-/// How likely a class is.
+/// Score of a class.
 struct ClassScore {
   ClassId class_id;
   float score = 0;  ///< 0..1
   bool operator==(const ClassScore&) const = default;
 };
 
-/// The likeliest (of equals, the smaller id); nothing if none is above 0.
+/// The class of the highest score (ties: the smaller id); nothing if none is above 0.
 std::optional<ClassId> LikeliestClass(std::span<const ClassScore> scores);
 
-/// One row of a frame's segment table: what the panoptic segmentation says of a segment id.
+/// One row of a frame's segment table: class and scores of a segment id.
 struct SegmentInfo {
   SegmentId id;  ///< not 0, unique in its frame
-  /// Empty: the object is not known; its points go to the unknown submap.
+  /// Empty: unknown object; its points go to the unknown submap.
   std::optional<ClassId> class_id;
-  std::optional<float> score;  ///< 0..1; nothing where the network gives none
-  /// How likely each class is; empty where the network does not say. At most kMostClassScores, of different classes, in
-  /// sum at most 1.
+  std::optional<float> score;  ///< 0..1; nothing if the network gives none
+  /// Scores of several classes; empty if the network gives none. At most kMostClassScores, each class once, their sum
+  /// at most 1.
   std::vector<ClassScore> class_scores;
 
-  /// How sure the network is: the score, or, where it gives none, what class_scores have for its class, which may be 0.
-  /// Nothing if it says neither.
+  /// The network's confidence: the score, else the entry of class_scores for its class (0 if missing). Nothing without
+  /// either.
   [[nodiscard]] std::optional<float> Sureness() const;
-  /// The network itself is less sure of it.
+  /// Whether Sureness is known and below `min_score`.
   [[nodiscard]] bool IsDoubtful(double min_score) const;
 };
 
@@ -58,7 +58,7 @@ struct LidarData {
   std::vector<Eigen::Vector3f> points_m;
   std::vector<Color> color;             ///< N, or empty = grey
   std::vector<std::uint32_t> segments;  ///< N, or empty = nothing is labelled
-  /// N, or empty = none known: 1 for points whose segment was read off an image that shows something before them.
+  /// N, or empty = unknown: 1 for points that the camera does not see, so that their segment is that of an occluder.
   std::vector<std::uint8_t> is_hidden;
 };
 
@@ -68,7 +68,7 @@ struct PanopticFrame {
   /// Camera: optical frame, z forward, x right, y down. LiDAR: the scanner's own frame.
   Transform T_map_sensor = Transform::Identity();
   std::vector<SegmentInfo> segments;
-  std::string session;  ///< the client's name for the frames that this is one of; empty: none
+  std::string session;  ///< the client's name of the feed session; may be empty
   /// Ids mean the same object in every frame of the session (ground truth, or a tracking front end); else the tracker
   /// associates each segment anew (paper II-B).
   bool has_persistent_ids = false;
@@ -79,10 +79,10 @@ struct PanopticFrame {
   std::optional<LidarData> lidar;
 };
 
-/// INVALID_ARGUMENT, naming every violation at once, for: a pose with non-finite entries, neither or both sensors, a
-/// camera that is not usable, image sizes that do not fit, a segment id of 0 or given twice, a class outside the label
-/// set, a score outside 0..1, class scores that are none, non-finite points, and an id without a row unless the frame
-/// allows it. Violations name the members above: "camera.depth_m", "segments[3].score".
+/// INVALID_ARGUMENT, naming every violation at once, for: a pose with non-finite entries, neither or both sensors, an
+/// invalid camera, wrong image sizes, a segment id of 0 or given twice, a class outside the label set, a score outside
+/// 0..1, invalid class scores, non-finite points, and an id without a row unless the frame allows it. Violations name
+/// the members above: "camera.depth_m", "segments[3].score".
 Status ValidateFrame(const PanopticFrame& frame, const LabelSet& label_set);
 
 }  // namespace dhpmap

@@ -6,8 +6,8 @@
 
 namespace dhpmap {
 
-/// INVALID_ARGUMENT, reason BAD_FRAME, naming the field, if the sensor is beyond the reach of the map's grid. Its
-/// points cannot be then: those beyond the range limit are dropped.
+/// INVALID_ARGUMENT, reason BAD_FRAME, naming the field, if the sensor is outside the map's grid. Checking the sensor
+/// suffices for its points: those beyond the range limit are dropped.
 Status CheckFrameIsOnGrid(const PanopticFrame& frame, double voxel_size_m);
 
 }  // namespace dhpmap

@@ -8,10 +8,9 @@
 
 namespace dhpmap {
 
-/// The frame without the segments of LiDAR points that the camera does not see (LidarData::is_hidden) and that have a
-/// thing's, as it is that of the thing before them: they become points of no segment where they are. Those with a
-/// segment of stuff keep it, which is right for about every second. Nothing if there are no such points. Takes a frame
-/// that ValidateFrame takes.
+/// The frame without wrong labels of LiDAR points that the camera does not see (LidarData::is_hidden): if such a point
+/// has the segment of a thing, which is that of an occluder, it loses its segment. A stuff segment stays, because it is
+/// right for about half of these points. Nothing if there are no such points. The frame must be valid (ValidateFrame).
 std::optional<PanopticFrame> WithoutHiddenThings(const PanopticFrame& frame, const LabelSet& label_set);
 
 }  // namespace dhpmap

@@ -16,10 +16,10 @@ struct PinholeCamera {
   double cy_px = 0;
 
   [[nodiscard]] int num_pixels() const { return width_px * height_px; }
-  /// Above it what a pixel sees lies beside the camera, and coordinates grow beyond all numbers.
+  /// Limit of a pixel's slope: beyond, points lie almost sideways and coordinates overflow.
   static constexpr double kMostSlope = 1e6;
-  /// INVALID_ARGUMENT unless sizes are 1..16384, focal lengths positive, all values finite, and no pixel looks more
-  /// than kMostSlope aside for 1 ahead.
+  /// INVALID_ARGUMENT unless sizes are 1..16384, focal lengths positive, all values finite, and slopes of all pixels at
+  /// most kMostSlope.
   [[nodiscard]] Status Validate() const;
 };
 

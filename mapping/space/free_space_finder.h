@@ -11,15 +11,13 @@
 
 namespace dhpmap {
 
-/// Finds what a frame looks through, adds it to the map's free space, and counts it against the surfaces that are said
-/// to be there (GoneBlock, GoneLook): what the map's config asks for of both. Whole cells of voxels are told by the
-/// least and greatest range of the pixels before which they lie, so the cost goes with the surfaces in view, not with
-/// the volume.
+/// Finds the space that a frame looks through, adds it to the map's free space, and counts it against existing surfaces
+/// there (GoneBlock, GoneLook); the map's config enables both. Whole cells of voxels are classified by the minimum and
+/// maximum range of their pixels, so the cost depends on the surfaces in view, not on the volume.
 ///
-/// A voxel is called free if its centre lies nearer than the truncation before what the sensor measured in its
-/// direction, and within integration.max_range_m; a return from beyond that range frees what lies before it, no return
-/// frees nothing. How pixels and beams are taken: CameraView, LidarView. Keeps its buffers from frame to frame.
-/// Thread-compatible.
+/// A voxel is free if its centre lies more than the truncation in front of the measured point in its direction, and
+/// within integration.max_range_m. A return beyond that range frees the space in front of it; a missing return frees
+/// nothing. CameraView and LidarView define the pixels and beams. Reuses its buffers. Thread-compatible.
 class FreeSpaceFinder {
  public:
   FreeSpaceFinder();
@@ -27,10 +25,10 @@ class FreeSpaceFinder {
   FreeSpaceFinder(FreeSpaceFinder&&) noexcept;
   FreeSpaceFinder& operator=(FreeSpaceFinder&&) noexcept;
 
-  /// The frame must be valid (ValidateFrame) and on the map's grid (CheckFrameIsOnGrid). The outcome has the same bits
-  /// for any number of threads, and for any order of frames but for the tiles' stamps. If it throws, for want of
-  /// memory, or Stopped soon after `stop` is requested, a part may have been added: see Map::Fork.
-  /// Returns the submaps of which voxels were counted as looked through, by ascending id.
+  /// The frame must be valid (ValidateFrame) and on the map's grid (CheckFrameIsOnGrid). The result is the same to the
+  /// bit for any number of threads and, except the tiles' stamps, for any order of frames. If it throws std::bad_alloc,
+  /// or Stopped soon after a `stop` request, part of the frame may have been added: see Map::Fork. Returns the submaps
+  /// with newly counted voxels, by ascending id.
   std::vector<SubmapId> Look(const PanopticFrame& frame, Map& map, ThreadPool& pool, const std::stop_token& stop = {});
 
  private:

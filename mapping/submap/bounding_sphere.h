@@ -5,7 +5,7 @@
 
 namespace dhpmap {
 
-/// Sphere that encloses all voxels of a submap (paper II-A). A negative radius means: holds nothing.
+/// Sphere that encloses all voxels of a submap (paper II-A). A negative radius means empty.
 struct BoundingSphere {
   Eigen::Vector3d center_m = Eigen::Vector3d::Zero();
   double radius_m = -1.0;

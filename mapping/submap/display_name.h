@@ -9,12 +9,11 @@
 
 namespace dhpmap {
 
-/// Of what somebody names a map or a submap.
+/// Limit of names that users give to maps and submaps.
 inline constexpr std::size_t kMaxDisplayNameBytes = 256;
 
-/// What a person may call the submap: the name that somebody gave it, else one after its present class, with its id if
-/// it is a thing: "sofa 7". A given name that has just that form, of any class, follows the class too: older maps hold
-/// such names of their own making.
+/// The submap's name for people: the given name, else its class, with the id for a thing: "sofa 7". A given name of
+/// exactly that form, of any class, follows the class too, because older maps stored generated names.
 std::string DisplayNameOf(const SubmapInfo& info, const LabelSet& labels);
 
 }  // namespace dhpmap

@@ -13,22 +13,20 @@
 
 namespace dhpmap {
 
-/// The outline of a submap in its own frame, levelled (LevellingOf) for one vertical: it stays the same wherever the
-/// submap is put upright.
+/// The outline of a submap in its own frame, levelled (LevellingOf) for one vertical; invariant under upright moves.
 struct LevelOutline {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();        ///< the map's vertical in the submap's frame
   std::optional<SubmapOutline> outline = std::nullopt;  ///< nothing: it has no surface
 
-  /// Whether the vertical is that of a submap at this pose, to a billionth.
+  /// Whether the vertical is that of a submap at this pose, within 1e-9.
   [[nodiscard]] bool IsFor(const Transform& T_map_submap) const {
     constexpr double kRounding = 1e-9;
     return (up - T_map_submap.linear().row(2).transpose()).cwiseAbs().maxCoeff() < kRounding;
   }
 };
 
-/// What was found of a submap's outline, until its voxels are next written to: by whoever looked first, in this process
-/// or in the one that stored it. Copies have it, too. Thread-safe but for Forget and assignment, which are for who
-/// writes.
+/// Cache of a submap's outline, valid until its voxels are next written to; stored with the submap and shared by
+/// copies. Thread-safe except Forget and assignment, which only the writer calls.
 class KeptOutline {
  public:
   KeptOutline() = default;
@@ -38,14 +36,14 @@ class KeptOutline {
     return *this;
   }
 
-  /// Null: nobody has found it for this pose.
+  /// Null if not cached for this pose.
   [[nodiscard]] std::shared_ptr<const LevelOutline> Find(const Transform& T_map_submap) const {
     auto kept = Get();
     return kept != nullptr && kept->IsFor(T_map_submap) ? kept : nullptr;
   }
-  /// May be null: it is not known.
+  /// Null: unknown.
   void Keep(std::shared_ptr<const LevelOutline> outline) const { Set(std::move(outline)); }
-  /// Fusion calls it for each block that it writes to: nothing but a look where there is nothing to forget.
+  /// Fusion calls it for each block that it writes to: a single load if nothing is cached.
   void Forget() {
     if (is_known_.load(std::memory_order_relaxed)) Set(nullptr);
   }

@@ -8,8 +8,8 @@ namespace dhpmap {
 
 /// The sphere around the observed voxels of a submap, in its frame (paper II-A): centre of their box, radius to the
 /// farthest corner of a voxel. Empty if none is observed. Submap::bounding_sphere(), around whole blocks, is cheaper
-/// and up to a block's diagonal wider. Takes a look at each tile, and into the few blocks at the rim, once for all
-/// copies of the submap until one of them is written to.
+/// and wider by up to a block's diagonal. Visits each tile and the few blocks at the rim; cached for all copies until
+/// one is written to.
 BoundingSphere SphereOfObserved(const Submap& submap);
 /// The same in the map frame.
 BoundingSphere SphereOfObservedInMap(const Submap& submap);

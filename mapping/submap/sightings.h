@@ -12,54 +12,53 @@
 
 namespace dhpmap {
 
-/// What one session of frames knows of a thing. Of a session that calls it by several ids the first entry says all that
-/// there is to say, the others have an id and nothing else.
+/// How one feed session sees a thing. If the session has several ids for it, the first entry holds all values, the
+/// others only an id.
 struct Sighting {
-  std::string session;                 ///< empty: of streams that name none
-  std::uint32_t track_id = 0;          ///< what its front end with persistent ids calls the thing; 0 = nothing
-  bool has_in_sight = false;           ///< it has seen the thing lately: see UpdateActivity
-  std::int32_t num_frames_missed = 0;  ///< while in sight: its frames without the thing since the last one with it
-  std::int64_t last_frame = 0;         ///< its last one while in sight: the number in the map, from 1
+  std::string session;                 ///< empty: streams without a session name
+  std::uint32_t track_id = 0;          ///< the thing's persistent id in that session; 0 for none
+  bool has_in_sight = false;           ///< seen lately: see UpdateActivity
+  std::int32_t num_frames_missed = 0;  ///< while in sight: the session's frames since it last saw the thing
+  std::int64_t last_frame = 0;  ///< while in sight: number in the map, from 1, of the session's last frame with it
 
   friend bool operator==(const Sighting&, const Sighting&) = default;
 };
 
-/// What each session knows of a thing, so that no robot's frames count for another's. Of at most kMost sessions: that
-/// whose last frame is the oldest goes for a new one. What neither has a track id nor is in sight is not kept. A
-/// session has several track ids of what was merged of its things, kMostTracks at most: for one more, the smallest but
-/// the first goes, as front ends count up and the newest is the one in use. Value type.
+/// The sightings of a thing by session, so that one robot's frames do not count for another. At most kMost sessions;
+/// the one with the oldest last frame is replaced. Entries with neither a track id nor sight are dropped. After merges
+/// a session may have several track ids, at most kMostTracks; beyond, the smallest but the first is dropped, because
+/// front ends count up and use the newest. Value type.
 class Sightings {
  public:
   static constexpr std::size_t kMost = 64;        ///< sessions
   static constexpr std::size_t kMostTracks = 64;  ///< of a session
 
   Sightings() = default;
-  /// DATA_LOSS unless they are by ascending session, each worth to be kept, further ids of a session ascending, each
-  /// once and without anything else, and are not too many.
+  /// DATA_LOSS unless sessions ascend, each entry has content, further ids of a session ascend, are unique and hold
+  /// nothing else, and the limits are kept.
   static Result<Sightings> Create(std::vector<Sighting> sightings);
 
-  /// The thing was in frame `frame` of the map, which is one of the session.
+  /// Frame `frame` of the map, by this session, shows the thing.
   void OnSeen(std::string_view session, std::int64_t frame);
-  /// A frame of the session was without it. Nothing happens where the session has not had it in sight.
+  /// A frame of the session does not show it. No effect unless the session has it in sight.
   void OnMissed(std::string_view session, std::int64_t frame);
-  /// Out of sight: for sessions that have missed it `max_missed` times, and for those of which none of the last
-  /// `max_silent_frames` frames up to `frame` was.
+  /// Drops it from sight for sessions that missed it `max_missed` times, and for those that sent none of the last
+  /// `max_silent_frames` frames up to `frame`.
   void Lapse(std::int32_t max_missed, std::int64_t frame, std::int64_t max_silent_frames);
   void LapseAll();
-  /// The session's only one from now on; 0: it has none.
+  /// Sets the session's only track id; 0 for none.
   void SetTrack(std::string_view session, std::uint32_t track_id);
-  /// Beside those that the session has, of which one goes if they are kMostTracks; not 0.
+  /// Adds a track id to those of the session, dropping one beyond kMostTracks; not 0.
   void AddTrack(std::string_view session, std::uint32_t track_id);
   void ForgetTrack(std::string_view session, std::uint32_t track_id);
-  /// Of two things that are one: where both have a track id of one session it knows the whole by either, by that of
-  /// this one first.
+  /// For two things that are merged: a session keeps the track ids of both, this one's first.
   void Merge(const Sightings& other);
 
   [[nodiscard]] bool IsInSightOf(std::string_view session) const;
   [[nodiscard]] bool IsInSight() const;
-  /// Somebody has it in sight, but nobody has sent one of the last `max_silent_frames` frames up to `frame`.
+  /// A session has it in sight, but none of these sent one of the last `max_silent_frames` frames up to `frame`.
   [[nodiscard]] bool IsDeserted(std::int64_t frame, std::int64_t max_silent_frames) const;
-  /// Of those that have it in sight, of whom there is one at least.
+  /// Over the sessions that have it in sight; there must be one.
   [[nodiscard]] std::int32_t LeastMissed() const;
   /// The first one; 0: none.
   [[nodiscard]] std::uint32_t TrackOf(std::string_view session) const;

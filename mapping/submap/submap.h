@@ -20,7 +20,7 @@ class Submap {
  public:
   /// `generation` is the writer's current one; see BlockTable.
   Submap(SubmapInfo info, std::uint64_t generation) : info_(std::move(info)), generation_(generation) {}
-  /// Of a loaded map, whose tiles are read when somebody asks for them; not null.
+  /// For a loaded map, whose tiles are read on demand; not null.
   Submap(SubmapInfo info, std::uint64_t generation, std::shared_ptr<const TableLoader> unread)
       : info_(std::move(info)), blocks_(std::move(unread)), generation_(generation) {}
 
@@ -38,16 +38,16 @@ class Submap {
   /// The same in the map frame.
   [[nodiscard]] BoundingSphere BoundingSphereInMap() const;
 
-  /// What is known of its outline (FindLevelOutline), which costs a look at all blocks.
+  /// Cached outline (FindLevelOutline); computing it visits all blocks.
   [[nodiscard]] const KeptOutline& kept_outline() const { return outline_; }
 
-  // Writing: the returned layer belongs to this copy alone, and is allocated if it was not there.
+  // For writing: the returned layer belongs to this copy alone, and is allocated if absent.
   TsdfBlock& MutableTsdf(BlockIndex index);
   LabelBlock& MutableLabels(BlockIndex index);
   GoneBlock& MutableGone(BlockIndex index);
-  /// Puts layers in place as they are (a loaded map). Either may be null. What was looked through stays.
+  /// Puts layers in place as they are (a loaded map). Either may be null. The gone layer stays.
   void PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf, std::shared_ptr<const LabelBlock> labels);
-  /// Null: nothing of the block was looked through. Only where there is a block.
+  /// Null: no sensor has looked through the block. Only for an existing block.
   void PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone);
   /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
   void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile) {
@@ -57,38 +57,37 @@ class Submap {
   void PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers) {
     WritableBlocks().PutLayers(index, from, layers);
   }
-  /// Puts the layers that `block` has in place, beside those that are there.
+  /// Puts the layers of `block` in place, next to existing ones.
   void AddLayers(const BlockEntry& block);
-  /// Begins anew: nothing of it was looked through.
+  /// Clears the gone layer.
   void DropGone();
   bool EraseBlock(BlockIndex index) { return WritableBlocks().Erase(index, generation_); }
   /// Removes blocks without an observed voxel and without labels. Returns how many.
   int PruneBlocks();
   void DropLabels();
-  /// Makes every present layer count as shared: the next write to one copies it first. For clones.
+  /// Marks every present layer as shared: the next write to one copies it first. For clones.
   void ShareBlocks() { blocks_.ShareTiles(); }
 
-  /// The same submap (see part_id) with other objects of the same tiles: see BlockTable::Replace. Null if there are
-  /// none.
+  /// The same submap (see part_id) with replaced tiles: see BlockTable::Replace. Null if none was replaced.
   [[nodiscard]] std::shared_ptr<const Submap> WithTiles(const OtherTile& other) const;
 
   /// Recomputes the sphere from the blocks: centre of their box, radius to the farthest corner of a block.
   void UpdateBoundingSphere();
-  /// For a loaded map, whose sphere is in its row.
+  /// For a loaded map, which stores the sphere.
   void set_bounding_sphere(const BoundingSphere& sphere) { sphere_ = sphere; }
 
   /// Adds observations of a class and re-elects the class_id of a thing (ties: the smaller id), unless it is fixed. A
-  /// background keeps the class that it was made for, whatever it is given: there is one for each.
+  /// background keeps the class that it was created for: there is one submap a class.
   void AddClassObservations(ClassId c, std::uint64_t count);
 
-  /// Called by Map when this copy starts to be written in a new generation.
+  /// Called by Map before this copy is written in a new generation.
   void set_generation(std::uint64_t generation) { generation_ = generation; }
   [[nodiscard]] std::uint64_t generation() const { return generation_; }
 
   [[nodiscard]] std::size_t MemoryBytes() const { return sizeof(*this) + blocks_.MemoryBytes(); }
 
  private:
-  /// To write geometry to.
+  /// For writing geometry.
   BlockTable& WritableBlocks() {
     outline_.Forget();
     return blocks_;

@@ -12,29 +12,29 @@
 
 namespace dhpmap {
 
-/// What an undo makes of a field that is not as the edit has left it.
+/// How undo treats a field that has changed since the edit.
 enum class UndoRule : std::uint8_t {
-  kOwn,            ///< see ApplyDelta
-  kUnlessChanged,  ///< it is as before, unless frames or edits have changed it since
+  kOwn,            ///< by its own rule, see ApplyDelta
+  kUnlessChanged,  ///< restored unless frames or edits have changed it since
 };
 
-/// What everybody who handles all fields has to know of one.
+/// Properties of a field that all generic code needs.
 struct FieldRules {
-  const char* name;  ///< of its column in the store, and in messages
-  /// The first version of the checksum of rows that covers it (storage/FORMAT.md), and where among the columns that it
-  /// covers: frozen. A new field has the next version and the next place.
+  const char* name;  ///< column name in the store and in messages
+  /// First version of the row checksum that covers it (storage/FORMAT.md), and its place among the covered columns:
+  /// frozen. A new field takes the next version and the next place.
   int since = 0;
   int place = 0;
-  std::optional<SubmapPart> told_as = std::nullopt;  ///< to those who follow the map; nothing: they are not told
+  std::optional<SubmapPart> told_as = std::nullopt;  ///< how watchers are told of a change; none: they are not
   UndoRule undo = UndoRule::kOwn;
-  // Of a number in a file that somebody brings: what is beyond is refused.
+  // Limits of a number in an imported file; values beyond are refused.
   std::int64_t least = std::numeric_limits<std::int64_t>::min();
   std::int64_t most = std::numeric_limits<std::int64_t>::max();
 };
 
 template <auto kMember>
 struct SubmapField : FieldRules {
-  /// `info`: const or not.
+  /// `info` may be const.
   template <typename Info>
   static constexpr auto& Of(Info& info) {
     return info.*kMember;
@@ -42,15 +42,14 @@ struct SubmapField : FieldRules {
 };
 
 namespace field_range {
-/// Revisions, frames and times of up to this can be added to and subtracted from each other.
+/// Revisions, frames and times up to this can be added and subtracted without overflow.
 inline constexpr std::int64_t kMostNumber = (std::int64_t{1} << 62) - 1;
-/// Of frames that are counted in 32 bits, and go on being counted: years of them.
+/// Limit of 32-bit frame counts that leaves room for years of counting.
 inline constexpr std::int64_t kMostMissed = std::int64_t{1} << 30;
 }  // namespace field_range
 
-/// The one list of the fields of a SubmapInfo: its rows in the store, what logs keep of it, what followers are
-/// told, undo, the checks of imported maps and equality in tests follow from it. In the order in which logs have them:
-/// new ones go to the end.
+/// The one list of the fields of a SubmapInfo. Rows in the store, logs, watch events, undo, checks of imported maps and
+/// equality in tests follow from it. Logs use its order: new fields go to the end.
 inline constexpr auto kSubmapFields = [] {
   using enum SubmapPart;
   using enum UndoRule;

@@ -13,37 +13,37 @@
 
 namespace dhpmap {
 
-/// What of a surface counts, chosen on simulated walks (`dhpmap-bench boxes`): depth is noisy, and worst where it
-/// jumps.
+/// Robust outline of a surface, tuned on simulated walks (`dhpmap-bench boxes`): depth is noisy, most of all at jumps.
 struct OutlineRules {
-  double least_weight = 0.05;  ///< of the median over the surface: less is left out, few frames have seen it
-  double stray_share = 0.002;  ///< of the surface, so much may reach out of a side of the box
+  double least_weight = 0.05;  ///< share of the median weight over the surface; voxels below it are left out, as few
+                               ///< frames have seen them
+  double stray_share = 0.002;  ///< share of the surface that may stick out of a side of the box
   double disc_vox = 0.5;       ///< radius of the piece of surface around each crossing
-  double layer_share = 0.1;    ///< of what lies within a voxel of a side, so much may be outside
+  double layer_share = 0.1;    ///< share of the surface within a voxel of a side that may lie outside
 };
 
-/// The turn of a submap's frame that brings the map's vertical to its z: none if it is there.
+/// The rotation of a submap's frame that aligns the map's vertical with its z axis.
 Eigen::Matrix3d LevellingOf(const Transform& T_map_submap);
 
-/// The outline of a submap's surface (FindSurfaceCrossings) in its frame turned so. Nothing if it has no surface. Looks
-/// at all its blocks: a millisecond for an object of an apartment. Throws StatusError if some cannot be read.
+/// The outline of a submap's surface (FindSurfaceCrossings), in its levelled frame. Nothing if it has no surface.
+/// Visits all its blocks: about a millisecond for an object of an apartment. Throws StatusError if a block cannot be
+/// read.
 std::optional<SubmapOutline> FindOutline(const Submap& submap, const Eigen::Matrix3d& R_level_submap,
                                          const OutlineRules& rules = {});
 
-/// An outline in another frame whose z is up: T keeps the vertical.
+/// An outline in another frame with z up: T preserves the vertical.
 SubmapOutline Moved(const SubmapOutline& outline, const Transform& T_there_here);
 
 /// In the map frame.
 std::optional<SubmapOutline> OutlineInMap(const Submap& submap, const OutlineRules& rules = {});
-/// The same as if it were at another pose.
+/// The same for another pose.
 std::optional<SubmapOutline> OutlineAt(const Transform& T_map_submap, const Submap& submap,
                                        const OutlineRules& rules = {});
 
-/// The outline levelled for the pose that the submap has: as it is kept with the submap, else found and kept. Throws as
-/// FindOutline.
+/// The outline levelled for the submap's pose, from its cache or computed and cached. Throws as FindOutline.
 std::shared_ptr<const LevelOutline> FindLevelOutline(const Submap& submap);
 
-/// The box along the axes around an outline.
+/// The axis-aligned box around an outline.
 Eigen::AlignedBox3d BoxAround(const SubmapOutline& outline);
 
 }  // namespace dhpmap

@@ -8,14 +8,14 @@
 
 namespace dhpmap {
 
-// Where things may stand on an object.
+// Where other things may stand on an object.
 
-/// In the map frame: the middle of the part at its support height, on the surface or beside it (a ring). Nothing if it
-/// has none. Throws StatusError if voxels cannot be read, as does what follows.
+/// In the map frame: centre of the part of its surface at the support height; it may lie off the surface, as in a ring.
+/// Nothing without a support height. Throws StatusError if voxels cannot be read, as does the function below.
 std::optional<Eigen::Vector3d> MiddleOfUpperSide(const Submap& submap);
 
-/// In the map frame: the highest point at an x and y, to a voxel and a half, of what of the surface faces up by 45
-/// degrees or more. Nothing if there is none.
+/// In the map frame: the highest surface point at an x and y that faces up within 45 degrees, accurate to 1.5 voxels.
+/// Nothing if there is none.
 std::optional<Eigen::Vector3d> SurfaceFromAbove(const Submap& submap, const Eigen::Vector2d& point_m);
 
 }  // namespace dhpmap

@@ -8,8 +8,8 @@
 
 namespace dhpmap {
 
-/// Of the fields of the surfaces, that of the cell at a point, whose slot that is; made if it pays or another state has
-/// it. Null: there is none, or not yet. Valid as long as the surfaces. Thread-safe.
+/// The cached distance field of the cell at a point, which owns that slot; computed if it pays or another state has it.
+/// Null: none, or not yet. Valid as long as the surfaces. Thread-safe.
 [[nodiscard]] const FieldCell* FindFieldCell(const MapSurfaces& surfaces, DistanceFields::Slot& slot,
                                              const Eigen::Vector3d& p_map);
 

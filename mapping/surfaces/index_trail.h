@@ -10,8 +10,8 @@
 
 namespace dhpmap {
 
-/// Indexes over the submaps of one state of a map after another: each is made from the last one, at the cost of a copy
-/// and of what has changed. Keeps no state alive. Thread-safe; nobody waits while others make one.
+/// Indexes over the submaps of successive states of a map: each is derived from the last one, at the cost of a copy and
+/// the changes. Does not keep states alive. Thread-safe; callers do not wait while others build one.
 class IndexTrail {
  public:
   /// Refers to the state's submaps, which must outlive it. States may come in any order.
@@ -30,7 +30,7 @@ class IndexTrail {
 
  private:
   Mutex mutex_;
-  /// Its submaps may be gone: only where they were counts.
+  /// Its submaps may be gone: only their positions are used.
   std::shared_ptr<const SubmapIndex> last_ DHPMAP_GUARDED_BY(mutex_);
 };
 

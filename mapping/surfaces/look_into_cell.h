@@ -10,10 +10,10 @@ namespace dhpmap {
 
 CellSight LookIntoCell(const MapSurfaces& surfaces, BlockIndex block);
 
-/// All things of which some of a block of the map's grid may be the inside.
+/// All things whose inside may overlap a block of the map's grid.
 std::vector<UnseenInside::Thing> ThingsAround(const MapSurfaces& surfaces, BlockIndex block);
 
-/// Both, for as long as `surfaces` are there.
+/// Both parts; valid as long as `surfaces`.
 StateLook LookOf(const MapSurfaces& surfaces);
 
 }  // namespace dhpmap

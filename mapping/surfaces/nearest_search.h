@@ -11,29 +11,28 @@
 
 namespace dhpmap {
 
-/// The point of a map's surfaces that is nearest to a place.
+/// The point of a map's surfaces nearest to a query point.
 struct NearestSurface {
-  bool is_any = false;     ///< false: none within the limit, and nothing else means anything
-  std::size_t number = 0;  ///< of the submap, in MapSurfaces
-  Eigen::Vector3d p_submap = Eigen::Vector3d::Zero();       ///< the place, in the submap's frame
+  bool is_any = false;     ///< false: no surface within the limit; other members are meaningless
+  std::size_t number = 0;  ///< index of the submap in MapSurfaces
+  Eigen::Vector3d p_submap = Eigen::Vector3d::Zero();       ///< query point, in the submap's frame
   Eigen::Vector3d point_submap = Eigen::Vector3d::Zero();   ///< on the surface, in the submap's frame
   Eigen::Vector3d normal_submap = Eigen::Vector3d::Zero();  ///< unit, to the front
-  bool is_behind = false;                                   ///< the place is behind the surface
-  /// It is behind (or in front, if that is asked for), but aside: the surface ends at its nearest point, so that it
-  /// says nothing of what is at the place.
+  bool is_behind = false;                                   ///< the query point is behind the surface
+  /// The query point is behind the surface (or, on request, in front of it) but beyond its border: the surface ends at
+  /// the nearest point, so the sign is not reliable.
   bool is_beside = false;
-  const CellSight* sight = nullptr;  ///< what is known of the voxels around the place; null: nothing
+  const CellSight* sight = nullptr;  ///< observation state of the voxels around the query point; null: unknown
 };
 
-/// Looks for it. In a cell whose nearby tiles are known (NearbyCells) these are gone through; elsewhere, of submaps and
-/// their tiles, always what may be nearest comes next. The answer is the same to the bit. Keeps its scratch memory from
-/// one search to the next: belongs to one thread.
+/// Nearest-surface search. In a cell with known nearby tiles (NearbyCells) it scans these; elsewhere it searches
+/// submaps and tiles best first. Results are the same to the bit. Reuses scratch memory: one thread.
 class NearestSearch {
  public:
-  /// `is_held` says by number whose surfaces count, `is_there` which submaps are there, without which others may have
-  /// less of a surface; empty: all. All outlive this.
+  /// `is_held` selects by index the surfaces that count; `is_there` the submaps that exist, which affects the surfaces
+  /// of others; empty: all. All arguments outlive this.
   NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held, const std::vector<bool>& is_there);
-  /// All are there.
+  /// For all submaps.
   NearestSearch(const MapSurfaces& surfaces, const std::vector<bool>& is_held)
       : NearestSearch(surfaces, is_held, Everybody()) {}
 
@@ -41,18 +40,18 @@ class NearestSearch {
   /// rounding.
   [[nodiscard]] NearestSurface Find(const Eigen::Vector3d& p_map, double limit_m);
 
-  /// The same of one submap, whether it counts or not.
+  /// The same for one submap, selected or not.
   [[nodiscard]] NearestSurface FindOf(std::size_t number, const Eigen::Vector3d& p_map, double limit_m);
 
-  /// Whether there is a surface within `limit_m`; what is farther by 1e-5 of that and 1e-4 voxels may count, too. Ends
+  /// Whether there is a surface within `limit_m`; may include surfaces farther by 1e-5 of that and 1e-4 voxels. Stops
   /// at the first.
   [[nodiscard]] bool IsAnyWithin(const Eigen::Vector3d& p_map, double limit_m);
 
-  /// From here on is_beside is told of what is in front, too.
+  /// From now on, is_beside is also computed in front of surfaces.
   void TellWhereInFrontToo() { tells_all_beside_ = true; }
 
-  // Find in steps. What a step will look at has been fetched by the one before, so who has several searches, and goes
-  // from one to the next, does not wait for memory.
+  // Find in steps. Each step prefetches the memory of the next one, so that interleaving several searches hides
+  // latency.
 
   void Start(const Eigen::Vector3d& p_map, double limit_m);
   /// Whether this was the last one.
@@ -62,47 +61,47 @@ class NearestSearch {
 
  private:
   enum class Stage { kSlot, kCell, kTiles, kTile, kDone };
-  /// The place in the frame of a tree's boxes.
+  /// The query point in the frame of a tree's boxes.
   struct Scope {
     const BoxTree* tree;          ///< of submaps or tiles
     const SubmapSurface* submap;  ///< of tiles; null: of submaps
     Eigen::Vector3f p;
     std::uint32_t number;  ///< of the submap
   };
-  /// A node of a scope's tree, or one of its items, that has yet to be looked at.
+  /// A pending node of a scope's tree, or one of its items.
   struct Pending {
     float distance2;
     std::uint32_t scope;
     std::uint32_t node;
     std::uint32_t height;  ///< 0: an item; a node's children are one lower
   };
-  /// A tile's surface, and the place in its frame.
+  /// A tile's surface, and the query point in its frame.
   struct Tile {
     const TriangleTree* triangles = nullptr;
     std::uint32_t number = 0;  ///< of the submap
     std::uint32_t tile = 0;    ///< position in the submap's surface
     Eigen::Vector3f p = Eigen::Vector3f::Zero();
   };
-  /// A node of the tile's tree, or a packet of triangles, that has yet to be looked at.
+  /// A pending node of the tile's tree, or a packet of triangles.
   struct Node {
     float distance2;
     std::uint32_t node;
     std::uint32_t height;  ///< 0: a packet
   };
-  /// A triangle that is as near as any.
+  /// One of the equally near triangles.
   struct Touch {
     Tile tile;
     std::uint32_t position;
   };
 
-  /// Of a squared distance, that within which another may be the same one.
+  /// A squared distance enlarged by rounding, within which another triangle may be equally near.
   [[nodiscard]] float WithRounding(float distance2) const;
   static const std::vector<bool>& Everybody() {
     static const std::vector<bool> everybody;
     return everybody;
   }
   void Begin(const Eigen::Vector3d& p_map, double limit_m);
-  /// Of a triangle of the tile.
+  /// For a triangle of the tile.
   [[nodiscard]] bool IsThere(std::uint32_t position) const {
     return is_there_.empty() || sees_all_ || surfaces_.Holds(tile_.triangles->NeededBy(position), is_there_);
   }
@@ -116,10 +115,10 @@ class NearestSearch {
 
   // In the whole map.
   void SearchMap();
-  /// Calls visit(tile) for tiles within the limit, which it may lower, the nearest box first.
+  /// Calls visit(tile) for tiles within the limit, which it may lower, nearest box first.
   template <typename Visitor>
   void VisitTiles(Visitor&& visit);
-  /// The same of those that wait.
+  /// The same for pending tiles.
   template <typename Visitor>
   void VisitPending(Visitor&& visit);
   void Push(const Pending& pending);
@@ -133,7 +132,7 @@ class NearestSearch {
   bool VisitNode();
   void SearchTile(const Tile& tile);
 
-  /// Of the touch that is nearest.
+  /// For the nearest touch.
   [[nodiscard]] bool IsBeside(const Touch& nearest);
 
   const MapSurfaces& surfaces_;
@@ -143,10 +142,10 @@ class NearestSearch {
   double limit_m_ = 0;
   Stage stage_ = Stage::kDone;
   bool stops_at_any_ = false;
-  bool sees_all_ = false;  ///< also what is not held
+  bool sees_all_ = false;  ///< ignores the selection
   bool tells_all_beside_ = false;
-  float best2_ = 0;   ///< squared distance of the nearest triangle, or of the limit
-  float limit2_ = 0;  ///< within which a triangle is as near: an edge or a corner belongs to several
+  float best2_ = 0;   ///< squared distance of the nearest triangle, or the limit
+  float limit2_ = 0;  ///< squared distance of equally near triangles: several share an edge or a corner
   NearbyCells::Slot* slot_ = nullptr;
   const NearbyCell* cell_ = nullptr;
   float way_m_ = 0;  ///< from the cell's centre

@@ -24,44 +24,45 @@
 
 namespace dhpmap {
 
-/// The surfaces of all submaps of one state of a map but, mostly, those that are absent, and an index over them. Keeps
-/// the state alive. Thread-safe.
+/// The surfaces of all submaps of one state of a map, mostly without absent ones, and an index over them. Keeps the
+/// state alive. Thread-safe.
 class MapSurfaces {
  public:
   struct Part {
     const Submap* submap;
     SubmapId id;
-    std::shared_ptr<const SubmapSurface> surface;  ///< of something
+    std::shared_ptr<const SubmapSurface> surface;  ///< not empty
   };
-  /// A thing, and a box of the map frame around all that may be inside of it.
+  /// A thing, and a box in the map frame around all of its possible inside.
   struct Thing {
     std::uint32_t number;
     Eigen::AlignedBox3d around_m;
   };
-  /// `state` outlives this; `grid`: of it; `ledger`: see CellSlots. With those of an earlier state of the map, though
-  /// that be gone, the index costs little more than what has changed since, and cells and near fields go on where
-  /// nothing has.
+  /// `state` outlives this; `grid` belongs to it; `ledger`: see CellSlots. Given the surfaces of an earlier state of
+  /// the map, even a released one, the index costs little more than the changes, and unchanged cells and near fields
+  /// are reused.
   MapSurfaces(const MapSnapshot& state, std::unique_ptr<const GridSharers> grid, std::vector<Part> parts,
               const std::shared_ptr<SurfaceLedger>& ledger, const MapSurfaces* before = nullptr);
 
   [[nodiscard]] const MapSnapshot& state() const { return state_; }
 
-  /// Entry i is of surface(i). By ascending id.
+  /// Entry i belongs to surface(i). By ascending id.
   [[nodiscard]] const SubmapIndex& index() const { return index_; }
   [[nodiscard]] const SubmapSurface& surface(std::size_t number) const { return *parts_[number].surface; }
-  /// The triangles of a tile of surface(number), made if they are not there. Some are there only if other submaps are:
+  /// The triangles of a tile of surface(number), computed if necessary. Some exist only together with other submaps:
   /// see Holds.
   [[nodiscard]] const TriangleTree& Triangles(std::size_t number, std::size_t tile) const {
     return surface(number).Surface(state_, index_.entries()[number].submap(), tile);
   }
-  /// Whether all that a triangle needs (TriangleTree::NeededBy) is there, by number; `is_there` empty: all is.
+  /// Whether all submaps that a triangle depends on (TriangleTree::NeededBy) exist, by number; empty `is_there`: all
+  /// do.
   [[nodiscard]] bool Holds(std::span<const SubmapId> needed, const std::vector<bool>& is_there) const;
   [[nodiscard]] std::size_t NumberOf(SubmapId id) const;
   [[nodiscard]] const GridSharers* grid() const { return grid_.get(); }
-  /// Of a submap; null if it has none.
+  /// Surface of a submap; null if it has none.
   [[nodiscard]] std::shared_ptr<const SubmapSurface> SurfaceOf(SubmapId id) const;
   [[nodiscard]] std::span<const Thing> things() const { return things_; }
-  /// Calls visit(thing), in no order to rely on, for those whose box meets one of the map frame, until it returns
+  /// Calls visit(thing), in unspecified order, for things whose box intersects one of the map frame, until it returns
   /// false.
   template <typename Visitor>
   void VisitThings(const Eigen::AlignedBox3d& box_m, Visitor&& visit) const {
@@ -71,20 +72,20 @@ class MapSurfaces {
       return !thing.around_m.intersects(box_m) || visit(thing);
     });
   }
-  /// What is nearest to the places that are asked about again and again.
+  /// Exact nearest tiles of frequently queried places.
   [[nodiscard]] const NearbyCells& cells() const { return *cells_; }
-  /// What is nearest to them but for a part of a voxel, found sooner.
+  /// Approximate distances there, within a fraction of a voxel, found sooner.
   [[nodiscard]] const DistanceFields& fields() const { return *fields_; }
 
  private:
   static SubmapIndex IndexOf(const std::vector<Part>& parts, const MapSurfaces* before);
   static std::vector<Thing> ThingsOf(const SubmapIndex& index);
   [[nodiscard]] BoxTree TreeOfThings() const;
-  /// In the frame of the tree of things, and a little more for its floats.
+  /// In the frame of the tree of things, enlarged for its floats.
   [[nodiscard]] Eigen::AlignedBox3f ThingBox(const Eigen::AlignedBox3d& box_m) const;
 
   void GoOnFrom(const MapSurfaces* before, const std::shared_ptr<SurfaceLedger>& ledger);
-  /// All in which this differs from an earlier state.
+  /// All differences from an earlier state.
   [[nodiscard]] std::vector<SurfaceChange> ChangesSince(const MapSurfaces& before) const;
   [[nodiscard]] std::shared_ptr<const NearbyCells::Earlier> CellsOf(const MapSurfaces& before,
                                                                     std::span<const SurfaceChange> changes) const;
@@ -96,68 +97,66 @@ class MapSurfaces {
   SubmapIndex index_;
   std::vector<Thing> things_;
   Eigen::Vector3d things_centre_m_ =
-      Eigen::Vector3d::Zero();  ///< origin of the tree, whose floats would not do far off
+      Eigen::Vector3d::Zero();  ///< origin of the tree, whose floats are exact enough only nearby
   BoxTree thing_tree_;          ///< of the things' boxes
   std::shared_ptr<const NearbyCells> cells_;
   std::unique_ptr<const DistanceFields> fields_;
 };
 
-/// Surfaces of the maps that are asked about, made when they are first wanted and kept for later states, moved objects
-/// and clones: only tiles that were written since are made again. Holds no voxels. Thread-safe; nobody waits while
-/// others make surfaces, but for the same tile (see TileSurfaceSlot), or free them. What is evicted is looked up in a
-/// walk over what is known, for which they wait.
+/// Cache of the surfaces of queried maps. Surfaces are computed on first use and shared by later states, moved objects
+/// and clones; only written tiles are recomputed. Holds no voxels. Thread-safe: callers wait for others only if both
+/// need the same tile (TileSurfaceSlot), or during the scan for tiles to evict.
 class SurfaceCache {
  public:
-  /// What surfaces may take in all; those that were not wanted for longest go first. What a caller still holds counts,
-  /// too, so who asks for much lets go in between.
+  /// Memory limit for all surfaces; least recently used ones are evicted. Surfaces in use count, too, so release them
+  /// now and then in large queries.
   explicit SurfaceCache(std::size_t limit_bytes);
 
-  /// The surfaces of a state. The first to ask for it takes a look at what is new in it. `with_absent`: also those of
-  /// absent submaps, but for what of them was looked through.
+  /// The surfaces of a state. The first call for a state examines its changes. `with_absent` includes absent submaps,
+  /// except surface that was looked through.
   std::shared_ptr<const MapSurfaces> Of(const std::shared_ptr<const MapSnapshot>& state, bool with_absent = false)
       DHPMAP_EXCLUDES(mutex_);
 
-  /// Whether somebody has asked about a map of this name in the last two seconds.
+  /// Whether a map of this name was queried in the last two seconds.
   [[nodiscard]] bool IsWanted(const std::string& map) const DHPMAP_EXCLUDES(mutex_);
-  /// Makes again what a state changes of what was asked for lately, so that who asks next finds it there. Nothing, for
-  /// a map that is not wanted. Ends soon after `stop` is requested.
+  /// Recomputes recently used surfaces that the state changes, ahead of the next query. No effect for a map that is not
+  /// wanted. Ends soon after a `stop` request.
   void Freshen(const std::shared_ptr<const MapSnapshot>& state, const std::stop_token& stop) DHPMAP_EXCLUDES(mutex_);
 
-  /// What was made for the map of this name alone goes when nobody uses it any longer; asked for again, it is made
-  /// anew.
+  /// Drops all surfaces that only the map of this name uses, once they are unused; later queries recompute them.
   void Forget(const std::string& map) DHPMAP_EXCLUDES(mutex_);
 
-  /// What surfaces take now.
+  /// Present memory of surfaces.
   [[nodiscard]] std::size_t bytes() const { return ledger_->bytes; }
-  /// What the cells of the states that are asked about take, in the same limit.
+  /// Present memory of the cells of queried states, within the same limit.
   [[nodiscard]] std::size_t cell_bytes() const { return ledger_->cell_bytes; }
-  /// Tiles whose surface is there or was asked for, of any state.
+  /// Tiles with a surface, or with one in progress, over all states.
   [[nodiscard]] std::size_t num_tiles() const DHPMAP_EXCLUDES(mutex_);
 
  private:
   using Slot = std::shared_ptr<const TileSurfaceSlot>;
   template <typename Key, typename Value>
   struct Known {
-    std::weak_ptr<const Key> key;  // its address is the key as long as it is there
+    std::weak_ptr<const Key> key;  // its address is the key while it exists
     std::shared_ptr<const Value> value;
   };
 
   using Clock = std::chrono::steady_clock;
-  /// Made before the mutex is taken, so that it goes after that is free again.
+  /// Declared before the lock, so that it is destroyed after unlocking.
   using Forgotten = std::vector<std::shared_ptr<const void>>;
 
   std::shared_ptr<const MapSurfaces> Find(const std::shared_ptr<const MapSnapshot>& state, bool with_absent)
       DHPMAP_EXCLUDES(mutex_);
   std::shared_ptr<const MapSurfaces> Make(const MapSnapshot& state, bool with_absent, const MapSurfaces* before)
       DHPMAP_EXCLUDES(mutex_);
-  /// `grid`: null, if it shares it with nobody. `before`: of an earlier state of the submap; null: there was none.
+  /// `grid`: null if it shares none. `before`: surface of an earlier state of the submap, or null.
   std::shared_ptr<const SubmapSurface> SurfaceOf(const std::shared_ptr<const Submap>& submap, const GridSharers* grid,
                                                  const std::shared_ptr<const SubmapSurface>& before)
       DHPMAP_EXCLUDES(mutex_);
   SubmapSurface::Slots SlotsOf(std::span<const TilePlace> places, double voxel_size_m, const SubmapSurface* before)
       DHPMAP_EXCLUDES(mutex_);
   struct States;
-  // What they forget they leave to the caller, to be freed without the mutex.
+  // Evicted objects are returned, to be freed without the mutex.
   void Remember(States& states, const std::shared_ptr<const MapSnapshot>& state,
                 const std::shared_ptr<const MapSurfaces>& made, Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
   void DropOldStates(Forgotten& forgotten) DHPMAP_REQUIRES(mutex_);
@@ -172,18 +171,18 @@ class SurfaceCache {
   using SlotsByTile = std::unordered_map<const BlockTile*, Known<BlockTile, TileSurfaceSlot>>;
   SlotsByTile slots_ DHPMAP_GUARDED_BY(mutex_);  // by the tile in the middle
   std::unordered_map<const Submap*, Known<Submap, SubmapSurface>> submaps_ DHPMAP_GUARDED_BY(mutex_);
-  /// Of all submaps but those that are absent, and of all.
+  /// For all present submaps, and for all.
   struct States {
     std::unordered_map<const MapSnapshot*, Known<MapSnapshot, MapSurfaces>> known;
     std::unordered_map<std::string, std::shared_ptr<const MapSurfaces>> latest;  // by map
-    /// Which of those known are of a map, that asked for last at the end. Some may be gone.
+    /// Known states of a map, the most recently queried last. Some may be gone.
     std::unordered_map<std::string, std::deque<const MapSnapshot*>> asked;
   };
   std::array<States, 2> states_ DHPMAP_GUARDED_BY(mutex_);
   std::unordered_map<std::string, Clock::time_point> asked_ DHPMAP_GUARDED_BY(mutex_);  // last, by map
   bool is_evicting_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::uint64_t num_evictions_ DHPMAP_GUARDED_BY(mutex_) = 0;
-  std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;  // so many slots and submaps
+  std::size_t sweep_at_ DHPMAP_GUARDED_BY(mutex_) = 64;  // number of slots and submaps at which to sweep
 };
 
 }  // namespace dhpmap

@@ -6,13 +6,13 @@
 
 namespace dhpmap {
 
-// What nobody has seen is inside of a thing if it lies behind the thing's own surface, also where that ends at the
-// nearest point, and within the box around its surface, in its own frame. Of a thing that was seen from one side only,
-// such as a fridge between cupboards or a picture on a wall, nobody knows how deep it is: it is taken to be as deep as
-// it is wide or high, whichever is less, but for places straight in front of what is nearest to them. Whatever else is
-// known of a place goes first: what was looked through, or observed, is what it was seen to be.
+// Unseen space counts as the inside of a thing if it lies behind the thing's own surface, even beyond the surface's
+// border, and within the box around that surface in the thing's own frame. The depth of a thing seen from one side
+// only, such as a fridge between cupboards or a picture on a wall, is unknown. It is assumed to be the smaller of width
+// and height, except at points straight in front of their nearest surface. Observations take precedence: space that was
+// looked through or observed is not inside.
 
-/// The box in which the inside of a thing may lie, from the box around its surface: as deep as it is taken to be, to
+/// The box that may contain the inside of a thing, from the box around its surface: extended to the assumed depth on
 /// either side.
 inline Eigen::AlignedBox3d AsDeepAsWide(const Eigen::AlignedBox3d& surface_m) {
   if (surface_m.isEmpty()) return surface_m;
@@ -26,7 +26,7 @@ inline Eigen::AlignedBox3d AsDeepAsWide(const Eigen::AlignedBox3d& surface_m) {
   return box;
 }
 
-/// Around that, of whatever surface is within a box.
+/// A box around it, for any surface within a box.
 inline Eigen::AlignedBox3d MayBeInside(const Eigen::AlignedBox3d& around_m) {
   if (around_m.isEmpty()) return around_m;
   const Eigen::Vector3d sizes_m = around_m.sizes();

@@ -20,12 +20,11 @@ struct OverlapTable {
   [[nodiscard]] double Iou(std::size_t segment, std::size_t candidate, std::int64_t num_segment_points) const;
 };
 
-/// The hits of every segment on every thing that may be in view. A point counts for one thing at most: of those whose
-/// surface is within the depth tolerance, the one that has been observed most there, the smaller id of equals. Else
-/// whatever a few wrong segments have smeared over a neighbour would be seen with that neighbour for ever, and the
-/// object whose it is would no longer match its own segments.
-/// A voxel that was looked through (GoneBlock), or of a thing that is absent, is hit by segments of the thing's own
-/// class only: it has come back.
+/// The hits of every segment on every thing that may be in view. A point counts for at most one thing: among those with
+/// a surface within the depth tolerance, the one with the most observations there (ties: the smaller id). Otherwise,
+/// geometry that a few wrong segments smeared over a neighbour would match with that neighbour for ever, and the right
+/// object would no longer match its own segments. Voxels with gone counts (GoneBlock), and voxels of absent things, are
+/// hit only by segments of the thing's own class: it has come back.
 OverlapTable CountOverlaps(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, const Map& map,
                            ThreadPool& pool);
 

@@ -13,41 +13,40 @@
 
 namespace dhpmap {
 
-/// Spatial submap id tracker (paper II-B): finds the submap of every segment of a frame, or makes one.
-///   - persistent ids: the thing with that track id of the frame's session; if there is none, of the things that only
-///     other sessions have track ids of, the one that overlaps best is also the session's from then on;
-///   - background: the one submap of its class, also when somebody has given it another since;
-///   - things: matched with thing submaps by IoU, best first, one to one; a second segment may join a submap only if it
-///     touches one that did (a split segment);
-///     what counts as overlap: CountOverlaps;
-///   - what somebody has merged (PairVerdict::kMustBeOne) any number of segments may join, whether they touch or not;
-///     one of its class that has matched nothing does if most of its points lie on it, whatever its id;
-///   - what is two: CutAtSplits; a segment that would go to one of the two goes to the other if most of its points lie
-///     on that; so does one whose persistent id nobody knows, of the thing's class, if the thing
-///     has no id yet, which it then has;
-///   - locked: a segment whose id the frame's session knows nothing by may match a locked thing by overlap, too, and
-///   one
-///     that is no background and matches nothing is a match of the locked thing that half of its points lie on;
-///   - what the network itself doubts (tracking.min_score) goes to the unknown submap;
-///   - a thing's segment that would make a new submap goes to one of its class that it lies on, though others hide it
-///     (MatchCovered);
-///   - what is left makes a new submap if it is large enough and no mere border of a mask, else goes to the unknown
-///     submap.
+/// Spatial submap id tracker (paper II-B): finds the submap of every segment of a frame, or creates one.
+///   - Persistent ids: the thing with that track id in the frame's session. Without one, the best overlap among things
+///     that have track ids only of other sessions; that thing then gets this id.
+///   - Background: the one submap of its class, even if an edit has given that submap another class.
+///   - Things: matched with thing submaps by IoU (CountOverlaps), best first, one to one. A second segment may join a
+///     submap only if it touches one that did (a split segment).
+///   - Things merged by an edit (PairVerdict::kMustBeOne): any number of segments may join, touching or not. An
+///     unmatched segment of its class joins if most of its points lie on it, whatever its id.
+///   - Pairs that are two: CutAtSplits. A segment matched to one of the two goes to the other if most of its points lie
+///     on that. So does one with an unknown persistent id of the thing's class, if the thing has no id yet; the thing
+///     then gets it.
+///   - Locked things: a segment with an id that is unknown in its session may match a locked thing by overlap, too. An
+///     unmatched segment that is no background goes to the locked thing that half of its points lie on.
+///   - Segments below tracking.min_score go to the unknown submap.
+///   - A thing's segment that would create a submap goes to a thing of its class that it lies on, even if others hide
+///     it (MatchCovered).
+///   - All others create a submap if they are large enough and not merely the border of a mask; else they go to the
+///     unknown submap.
+///
 /// Ties are broken by submap id, then by table row. Thread-compatible.
 class Tracker {
  public:
   Tracker(const MapConfig& config, ThreadPool& pool) : config_(config), pool_(pool) {}
 
-  /// Before Assign: where one segment shows two things that are two (ObjectPair::AreTwo; to frames with persistent ids
-  /// only where somebody has said so), as no other segment shows the second, what lies on that one becomes a segment of
-  /// its own with the same row, which goes to it. A few points show nothing, and what goes to a thing with a grid of
-  /// its own stays whole. Parts of a segment follow each other, the largest first.
+  /// Call before Assign. If one segment covers two things that are known to be two (ObjectPair::AreTwo; for frames with
+  /// persistent ids only by verdict) and no other segment shows the second, the points on the second become a segment
+  /// of their own, with the same row, for that thing. A few points are not enough, and segments of a thing with its own
+  /// grid stay whole. Parts of a segment are consecutive, the largest first.
   void CutAtSplits(const PanopticFrame& frame, const Map& map, std::vector<SegmentBundles>& segments) const;
 
-  /// One assignment a segment of `segments` (see Bundler), on the map's grid. Creates submaps in `map`.
+  /// One assignment for each of `segments` (see Bundler), on the map's grid. Creates submaps in `map`.
   std::vector<Assignment> Assign(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, Map& map);
 
-  /// What the last Assign has matched by; empty if there was nothing to match.
+  /// The overlaps of the last Assign; empty if there was nothing to match.
   [[nodiscard]] const OverlapTable& overlaps() const { return overlaps_; }
 
  private:
@@ -56,7 +55,7 @@ class Tracker {
                    std::vector<Assignment>& assignments) const;
   void MatchLocked(const std::vector<SegmentBundles>& segments, const std::vector<const LabelClass*>& classes,
                    const Map& map, std::vector<Assignment>& assignments) const;
-  /// What a frame with persistent ids was matched with by overlap has its id from now on.
+  /// Gives things that matched by overlap the persistent ids of the frame's segments.
   static void NoteTracks(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                          const std::vector<bool>& is_open, const std::vector<Assignment>& assignments, Map& map);
   void AssignCovered(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
@@ -71,7 +70,7 @@ class Tracker {
   OverlapTable overlaps_;
 };
 
-/// True if a bundle of `a` ends in or beside (26 neighbours) a voxel in which one of `b` ends.
+/// Whether a bundle of `a` ends in, or in one of the 26 neighbours of, an end voxel of `b`.
 bool Touch(const SegmentBundles& a, const SegmentBundles& b);
 
 }  // namespace dhpmap

@@ -14,11 +14,11 @@
 
 namespace dhpmap {
 
-/// One block of a submap: its layers, shared with every snapshot that holds the same state. `labels` is null where
-/// nothing was ever labelled (the unknown submap, dropped labels), `gone` where nothing was looked through.
+/// One block of a submap: its layers, shared with every snapshot of the same state. `labels` is null if the block was
+/// never labelled (the unknown submap, dropped labels), `gone` if no sensor has looked through it.
 struct BlockEntry {
   BlockIndex index;
-  // Set by the writer on what it has made since it took over the tile: nobody else holds it.
+  // Set by the writer on layers that it allocated since it took over the tile: no snapshot shares them.
   bool owns_tsdf = false;
   bool owns_labels = false;
   bool owns_gone = false;
@@ -26,13 +26,13 @@ struct BlockEntry {
   std::shared_ptr<const LabelBlock> labels;
   std::shared_ptr<const GoneBlock> gone;
 
-  /// Whether a voxel was looked through so often that what it says of a surface no longer holds.
+  /// Whether sensors have looked through a voxel so often that its TSDF no longer holds.
   [[nodiscard]] bool IsContradicted(int linear) const { return gone != nullptr && gone->IsContradicted(linear); }
-  /// Whether a voxel says something of a surface: it was observed, and not contradicted since. Needs a TSDF.
+  /// Whether a voxel has valid surface data: observed, and not contradicted since. Needs a TSDF.
   [[nodiscard]] bool Shows(int linear) const { return tsdf->IsObserved(linear) && !IsContradicted(linear); }
 };
 
-/// What LabelBlock::CountedBytes counts, of some blocks.
+/// Sum of LabelBlock::CountedBytes over blocks.
 template <typename Blocks>
 std::size_t LabelPlaneBytesOf(const Blocks& blocks) {
   std::size_t bytes = 0;
@@ -43,11 +43,11 @@ std::size_t LabelPlaneBytesOf(const Blocks& blocks) {
 /// The layers of a block.
 enum class BlockLayer : std::uint8_t { kTsdf, kLabels, kGone };
 inline constexpr std::size_t kNumBlockLayers = 3;
-/// Some of them, by number.
+/// A set of layers, indexed by number.
 using BlockLayers = std::array<bool, kNumBlockLayers>;
 
-/// The one list of them: calls visit(layer, part...) for each layer, with what each of `blocks` has of it: a
-/// BlockEntry, or anything else with members of these names.
+/// The one list of layers: calls visit(layer, part...) for each, with that layer of each of `blocks`: a BlockEntry, or
+/// any type with members of these names.
 template <typename Visitor, typename... Blocks>
 void ForEachLayer(Visitor&& visit, Blocks&... blocks) {
   visit(BlockLayer::kTsdf, blocks.tsdf...);
@@ -55,8 +55,8 @@ void ForEachLayer(Visitor&& visit, Blocks&... blocks) {
   visit(BlockLayer::kGone, blocks.gone...);
 }
 
-// A tile is a cube of 4 x 4 x 4 blocks: what is copied when a writer goes on from a published state. Surfaces fill some
-// 10 to 20 blocks of one.
+// A tile is a cube of 4 x 4 x 4 blocks, the unit of copy-on-write between a writer and published states. Surfaces fill
+// 10 to 20 blocks of a tile.
 inline constexpr int kTileSideLog2 = 2;
 inline constexpr int kTileSide = 1 << kTileSideLog2;
 inline constexpr int kTileBlocks = kTileSide * kTileSide * kTileSide;

@@ -22,23 +22,22 @@ struct TileEntry {
   std::uint64_t generation = 0;           ///< of the writer that made it; see BlockTable
 };
 
-/// Gives the same tile as another object, whose blocks are elsewhere: of the same name (PartId). Null: it stays as it
-/// is.
+/// Returns the same tile (by PartId) as another object that keeps its blocks elsewhere. Null: keep the present one.
 using OtherTile = std::function<std::shared_ptr<const BlockTile>(const BlockTile&)>;
 
-/// Blocks by their index, in tiles. Copying shares the tiles, so it costs some bytes a tile, and two copies are
-/// compared tile by tile. A writer names its generation, which must be new after each copy of the table: a tile of
-/// another generation is copied before it is written to. Thread-compatible.
+/// Blocks by their index, in tiles. Copying shares the tiles, some bytes a tile; two copies are compared tile by tile.
+/// A writer names its generation, which must be new after each copy of the table: it copies a tile of another
+/// generation before it writes to it. Thread-compatible.
 ///
-/// One that is made of a TableLoader has its tiles on the disk until somebody asks for more than a few blocks; who does
-/// throws StatusError if they cannot be read. Who writes to it reads them first.
+/// A table made of a TableLoader leaves its tiles on disk until more than a few blocks are requested. That read throws
+/// StatusError if it fails. Writing reads all tiles first.
 class BlockTable {
  public:
   BlockTable() = default;
-  /// Neither null nor of no tile.
+  /// Not null, and not without tiles.
   explicit BlockTable(std::shared_ptr<const TableLoader> unread) : unread_(std::move(unread)) {}
 
-  /// Number of blocks. Throws StatusError, as all that follows.
+  /// Number of blocks. Throws StatusError, and so do the functions below unless they read nothing.
   [[nodiscard]] std::size_t size() const { return Read().num_blocks_; }
   /// Reads nothing.
   [[nodiscard]] bool empty() const { return num_blocks_ == 0 && unread_ == nullptr; }
@@ -59,12 +58,12 @@ class BlockTable {
 
   /// In order of allocation; erasing the last block of a tile moves the last tile into the gap.
   [[nodiscard]] std::span<const TileEntry> tiles() const { return Read().tiles_; }
-  /// None as long as nobody has read them. Reads nothing.
+  /// Empty until the tiles have been read. Reads nothing.
   [[nodiscard]] std::span<const TileEntry> tiles_if_read() const;
-  /// Null where it was written to since it was loaded, or came whole. Reads nothing.
+  /// The loader of a table that has not been written to since it was loaded; else null. Reads nothing.
   [[nodiscard]] const std::shared_ptr<const TableLoader>& unread() const { return unread_; }
 
-  /// Whether both are known to have the same tiles, as they were loaded. Reads nothing.
+  /// Whether both are known to hold the same tiles, as loaded. Reads nothing.
   [[nodiscard]] bool SharesUnread(const BlockTable& other) const {
     return unread_ != nullptr && unread_ == other.unread_;
   }
@@ -75,14 +74,14 @@ class BlockTable {
 
   /// Finds the entry or adds one without layers. Invalidates pointers to entries.
   BlockEntry& FindOrInsert(BlockIndex index, std::uint64_t generation);
-  /// Puts a tile in place as it is (a loaded map), where there is none yet. Neither null nor empty.
+  /// Inserts a tile of a loaded map as it is; the index must be free. Neither null nor empty.
   void PutTile(TileIndex index, std::shared_ptr<const BlockTile> tile);
-  /// Has some layers of a tile be those of `from` (null: nothing), and the others as they are; blocks that then have no
-  /// layer go. What a store knows of either stays known.
+  /// Replaces the given layers of a tile by those of `from` (null: removes them) and removes blocks without any layer
+  /// left. Storage keys of both stay known.
   void PutLayers(TileIndex index, const BlockTile* from, const BlockLayers& layers);
-  /// Returns whether it was there. Invalidates pointers to entries.
+  /// Returns whether the block was there. Invalidates pointers to entries.
   bool Erase(BlockIndex index, std::uint64_t generation);
-  /// Calls visit(BlockEntry&) for all blocks; it leaves every index as it is.
+  /// Calls visit(BlockEntry&) for all blocks; it must not change an index.
   template <typename Visitor>
   void ForEachMutable(std::uint64_t generation, Visitor&& visit) {
     BeginWriting();
@@ -90,13 +89,13 @@ class BlockTable {
       for (BlockEntry& entry : Own(tile, generation).mutable_entries()) visit(entry);
     }
   }
-  /// Puts other objects of the same tiles in place, which others than this table need not have: their blocks are left
-  /// on the disk (TileEvictor), while other tables keep theirs. Returns whether there were any.
+  /// Replaces tiles by other objects with the same blocks, such as evicted ones (TileEvictor). Other tables keep
+  /// theirs. Returns whether any was replaced.
   bool Replace(const OtherTile& other);
-  /// Makes every tile count as shared, whatever its generation: for two copies that go on with the same one.
+  /// Marks every tile as shared, whatever its generation: for two copies that continue with the same generation.
   void ShareTiles();
 
-  /// SphereOfObserved, as found by whoever asked for it first since the table was last written to.
+  /// Cached SphereOfObserved, valid until the table is next written to.
   [[nodiscard]] const KeptExtent& extent() const { return extent_; }
 
   [[nodiscard]] std::size_t MemoryBytes() const;
@@ -110,11 +109,11 @@ class BlockTable {
     const BlockTable* all = unread_->IfRead();
     return all != nullptr ? *all : unread_->Read();
   }
-  /// Of a tile that this table does not have.
+  /// For a tile that this table does not hold itself.
   [[nodiscard]] const BlockEntry* FindElsewhere(BlockIndex index) const;
-  /// Has the tiles be its own.
+  /// Takes over the loader's tiles.
   void TakeTiles();
-  /// Likewise, where blocks of some may be in memory and all can be read. Returns whether it has.
+  /// Likewise if some blocks may be in memory and all can be read. Returns whether it did.
   bool TakeTilesInMemory();
   void BeginWriting() {
     extent_.Forget();
@@ -125,7 +124,8 @@ class BlockTable {
   std::vector<TileEntry> tiles_;
   IndexMap<TileIndex> numbers_;  ///< position in tiles_
   std::size_t num_blocks_ = 0;
-  std::shared_ptr<const TableLoader> unread_;  ///< instead of the three above; null: those are right
+  std::shared_ptr<const TableLoader>
+      unread_;  ///< replaces the three above until the tiles are read; null: they are valid
   KeptExtent extent_;
 };
 

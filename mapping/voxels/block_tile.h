@@ -20,12 +20,12 @@ namespace dhpmap {
 
 /// The blocks of a tile, by ascending cell. Thread-compatible.
 ///
-/// One that is made of a TileLoader has its blocks on the disk until they are first asked for; who does throws
-/// StatusError if they cannot be read. It is never written to: a copy, which is, has them in memory.
+/// A tile made of a TileLoader leaves its blocks on disk until they are first requested; that throws StatusError if it
+/// fails. Such a tile is never written to: writers copy it, which reads the blocks.
 class BlockTile {
  public:
   BlockTile() = default;
-  /// Neither null nor of no block.
+  /// Not null, and not without blocks.
   explicit BlockTile(std::shared_ptr<const TileLoader> loader)
       : cells_(loader->cells()), extent_(loader->tile().extent), loader_(std::move(loader)) {
     part_id_.Restore(loader_->names().tile());
@@ -51,7 +51,7 @@ class BlockTile {
       return loader_->blocks();
     return entries_;
   }
-  /// The caller leaves every index as it is. Only of blocks in memory.
+  /// The caller must not change an index. Only for blocks in memory.
   [[nodiscard]] std::span<BlockEntry> mutable_entries() {
     ForgetWhatWasFound();
     return entries_;
@@ -61,45 +61,45 @@ class BlockTile {
   [[nodiscard]] const BlockEntry* Find(int cell) const {
     return (cells_ >> cell & 1u) != 0 ? entries().data() + PositionOf(cell) : nullptr;
   }
-  /// Finds the entry or adds one without layers. May invalidate pointers to entries. Only of blocks in memory.
+  /// Finds the entry or adds one without layers. May invalidate pointers to entries. Only for blocks in memory.
   BlockEntry& FindOrInsert(BlockIndex index);
-  /// Returns whether it was there. Only of blocks in memory.
+  /// Returns whether the block was there. Only for blocks in memory.
   bool Erase(int cell);
 
-  /// Around what is observed, if that is known; reads none.
+  /// Extent of the observed voxels if known; reads nothing.
   [[nodiscard]] std::optional<TileExtent> KnownExtent() const { return extent_.Find(); }
-  /// Likewise; what has to be read for it goes again, and the extent stays known until the tile is written to. Throws
-  /// StatusError.
+  /// The extent, kept until the tile is written to. Evicts the blocks that it had to read. Throws StatusError.
   [[nodiscard]] TileExtent Extent() const;
 
-  /// Adds what its voxels have seen: counted when it is first asked for, until the tile is written to. Of a tile on the
-  /// disk that is kept if it is a short list, and what has to be read for it goes again, if it can. Throws StatusError.
+  /// Adds the label counts of all voxels. They are counted at the first call and cached until the tile is written to;
+  /// for a tile on disk only if the list is short. Evicts the blocks that it had to read, if possible. Throws
+  /// StatusError.
   void AddLabelsTo(LabelTotals& totals) const;
-  /// What that takes in memory, beside the blocks.
+  /// Memory of that cache.
   [[nodiscard]] std::size_t LabelsBytes() const { return labels_.MemoryBytes(); }
 
-  /// Of the label blocks in memory, what LabelBlock::CountedBytes counts; reads none, and is no use of any.
+  /// Sum of LabelBlock::CountedBytes over the blocks in memory. Reads nothing, and does not count as use.
   [[nodiscard]] std::size_t LabelPlaneBytes() const {
     return loader_ != nullptr ? loader_->LabelPlaneBytes() : LabelPlaneBytesOf(entries_);
   }
 
-  /// Where a store has a layer of all blocks. Meaningful while nobody writes to the tile.
+  /// Storage key of a layer of all blocks. Valid until the tile is written to.
   [[nodiscard]] const StoredKey& stored(BlockLayer layer) const { return stored_[static_cast<std::size_t>(layer)]; }
 
-  /// The same for tiles that were let go of and read again.
+  /// Stays the same when the tile is evicted and read again.
   [[nodiscard]] std::uint64_t part_id() const { return part_id_.value(); }
-  /// Null: its blocks have been in memory all along.
+  /// Null for a tile that was never on disk.
   [[nodiscard]] const std::shared_ptr<const TileLoader>& loader() const { return loader_; }
-  /// Whether its blocks were read from where the store has them now, so that they can be left there again.
+  /// Whether the tile can be evicted to where its blocks were read from.
   [[nodiscard]] bool CanBeUnread() const;
-  /// Whether its blocks are in memory, have been so all along, and each has something.
+  /// Whether the tile was never on disk and each of its blocks has content, so that it can be spilled.
   [[nodiscard]] bool CanBeLeft() const;
-  /// The same tile with its blocks left to a loader that has them just as they are.
+  /// The same tile, backed by a loader of identical blocks.
   [[nodiscard]] std::shared_ptr<const BlockTile> LeftTo(std::shared_ptr<const TileLoader> loader) const;
   /// Whether its blocks are in memory.
   [[nodiscard]] bool IsRead() const { return loader_ == nullptr || loader_->IsRead(); }
 
-  /// Of what is in memory, but for what was found of it meanwhile (LabelsBytes): the same for the same blocks.
+  /// Memory of the blocks, without the cache (LabelsBytes): equal for equal blocks.
   [[nodiscard]] std::size_t MemoryBytes() const;
 
  private:
@@ -112,7 +112,7 @@ class BlockTile {
     labels_.Forget();
   }
 
-  /// Of a tile of the same blocks.
+  /// Takes over the cached counts of a tile with the same blocks.
   void KeepShortLabelsOf(const BlockTile& other);
 
   PartId part_id_;
@@ -125,11 +125,11 @@ class BlockTile {
 };
 static_assert(kTileBlocks <= 64, "one bit a block");
 
-/// The blocks of a tile for who goes through a whole map once: what it reads from the disk goes with it, and what
-/// others have read stays. Blocks that are to last longer are copied (BlockEntry). Thread-compatible.
+/// The blocks of a tile, for a single pass over a whole map: blocks that it reads from disk are released with it,
+/// blocks in memory stay. Copy a BlockEntry to keep it longer. Thread-compatible.
 class ScannedTile {
  public:
-  /// `tile` lives longer. Throws StatusError.
+  /// `tile` must outlive this. Throws StatusError.
   explicit ScannedTile(const BlockTile& tile) : entries_(Read(tile)) {}
   ScannedTile(const ScannedTile&) = delete;
   ScannedTile& operator=(const ScannedTile&) = delete;
@@ -140,7 +140,7 @@ class ScannedTile {
  private:
   std::span<const BlockEntry> Read(const BlockTile& tile);
 
-  std::shared_ptr<const TileLoader> own_;  ///< before what is in it
+  std::shared_ptr<const TileLoader> own_;  ///< must precede the entries that refer to it
   std::span<const BlockEntry> entries_;
 };
 

@@ -10,45 +10,45 @@
 
 namespace dhpmap {
 
-/// Where a sensor looked from, and when.
+/// Position and time of a sensor's view.
 struct Viewpoint {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< map frame
   std::int64_t stamp_ns = 0;                             ///< the sensor's clock
 };
 
-/// How often sensors have looked through where a block has a surface: a count of 0 to 3 a voxel, beside the TSDF, which
-/// stays as it was observed. A voxel is contradicted at 3: then there is nothing any longer, whatever the TSDF says. To
-/// observe it anew begins at 0. Thread-compatible.
+/// How often sensors have looked through the surface of a block: a count of 0 to 3 a voxel, next to the TSDF, which
+/// stays as observed. A voxel with a count of 3 is contradicted: its surface is gone, whatever the TSDF says. Observing
+/// it again resets the count to 0. Thread-compatible.
 ///
-/// Each viewpoint counts once: frames from where the last one that counted stood, soon after, make the same errors.
+/// Each viewpoint counts once, because frames from nearly the same place and time make the same errors.
 class GoneBlock {
  public:
   static constexpr int kContradicted = 3;
   static constexpr double kDistinct_m = 0.1;
   static constexpr std::int64_t kDistinct_ns = 1'000'000'000;
 
-  PartId part_id;  ///< of this block; no part of what it says
+  PartId part_id;  ///< identity of this object; not part of its value
 
   GoneBlock() = default;
-  /// As it was stored.
+  /// From stored values.
   GoneBlock(const VoxelMask& low, const VoxelMask& high, const Viewpoint& last) : low_(low), high_(high), last_(last) {}
 
-  /// Whether no voxel counts anything.
+  /// Whether all counts are 0.
   [[nodiscard]] bool empty() const;
   [[nodiscard]] int Count(int linear) const { return Bit(low_, linear) + 2 * Bit(high_, linear); }
   [[nodiscard]] bool IsContradicted(int linear) const { return Count(linear) == kContradicted; }
   [[nodiscard]] VoxelMask Contradicted() const;
-  /// The bits of the counts.
+  /// Low bits of the counts.
   [[nodiscard]] const VoxelMask& low() const { return low_; }
   [[nodiscard]] const VoxelMask& high() const { return high_; }
-  /// The view that counted last; meaningless while this is empty.
+  /// The last view that counted; meaningless if this is empty.
   [[nodiscard]] const Viewpoint& last() const { return last_; }
 
-  /// Whether what is seen from there counts: a tenth of a metre or a second from the last view that did.
+  /// Whether a view counts: at least a tenth of a metre or a second from the last one that did.
   [[nodiscard]] bool IsDistinct(const Viewpoint& view) const;
-  /// Counts voxels up. Returns how many of them that made contradicted.
+  /// Increments the counts of `voxels`. Returns how many voxels became contradicted.
   int Raise(const VoxelMask& voxels, const Viewpoint& view);
-  /// Begins at 0 for a voxel.
+  /// Resets a voxel's count to 0.
   void Forget(int linear) { Set(linear, 0); }
   void Set(int linear, int count);
 

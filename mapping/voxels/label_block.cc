@@ -107,18 +107,6 @@ void LabelBlock::AddObservationSlowly(int linear, ClassId c, std::uint32_t count
   Increase(histograms.instances, kOwnInstance, count);
 }
 
-void LabelBlock::AddVotes(int linear, const LabelHistograms& votes) {
-  if (votes.instances.size() == 1 && votes.instances.front().id.IsOwn()) {
-    for (const LabelCount& vote : votes.classes) {
-      AddObservation(linear, ClassId(static_cast<std::uint16_t>(vote.id)), vote.count);
-    }
-    return;
-  }
-  LabelHistograms& histograms = MoveToOverflow(linear);
-  for (const LabelCount& vote : votes.classes) Increase(histograms.classes, vote.id, vote.count);
-  for (const InstanceCount& vote : votes.instances) Increase(histograms.instances, vote.id, vote.count);
-}
-
 void LabelBlock::Add(int linear, const LabelHistograms& added) {
   const LabelHistograms old = Get(linear);
   const bool is_concluded = IsConcluded(linear);

@@ -14,7 +14,7 @@
 
 namespace dhpmap {
 
-/// How often something was seen at a voxel: a class, an instance as the voxel names it, or that of a submap.
+/// Number of observations of a class, of an instance as the voxel names it, or of a submap.
 template <typename Id>
 struct SeenCount {
   Id id{};
@@ -25,19 +25,19 @@ using LabelCount = SeenCount<std::uint32_t>;
 using InstanceCount = SeenCount<SeenInstance>;
 using SubmapCount = SeenCount<SubmapId>;
 
-/// Everything a voxel has seen, each list by ascending id.
+/// All label counts of a voxel, each list by ascending id.
 struct LabelHistograms {
   std::vector<LabelCount> classes;
   std::vector<InstanceCount> instances;
-  /// A class, seen so often as the own instance's.
+  /// `count` observations of a class, and as many of the own instance.
   static LabelHistograms OfClass(ClassId c, std::uint32_t count = 1) {
     return {{{c.value, count}}, {{kOwnInstance, count}}};
   }
   bool operator==(const LabelHistograms&) const = default;
 };
 
-/// The id with the largest count, and that count's share of all counts. Ties go to the smaller id, which for instances
-/// means: to the submap that holds the voxel. `count` and `share` are 0 for an empty list.
+/// The id with the largest count, and its share of all counts. Ties go to the smaller id; for instances, that is the
+/// submap that holds the voxel. `count` and `share` are 0 for an empty list.
 template <typename Id>
 struct BestSeen {
   Id id{};
@@ -46,18 +46,18 @@ struct BestSeen {
 };
 using BestLabel = BestSeen<std::uint32_t>;
 
-/// What two counts are together: no more than 2^32 - 1, so that what was seen most stays that.
+/// Sum of two counts, saturated at 2^32 - 1, so that the most frequent label stays so.
 constexpr std::uint32_t SumOfCounts(std::uint32_t a, std::uint32_t b) { return a > ~b ? ~std::uint32_t{0} : a + b; }
 
 /// Sums two lists that are sorted by id.
 template <typename Id>
 std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const std::vector<SeenCount<Id>>& b);
 
-/// What voxels have seen, summed up.
+/// Sum of the counts of several voxels.
 struct LabelTotals {
-  std::vector<std::uint64_t> classes;    ///< by id, of voxels of which nothing is concluded
-  std::vector<std::uint32_t> seen;       ///< the ids of those that are not 0, in any order
-  std::uint64_t own = 0, instances = 0;  ///< counts of the own instance, and of all
+  std::vector<std::uint64_t> classes;    ///< by class id, without voxels that are held by conclusion
+  std::vector<std::uint32_t> seen;       ///< ids of the classes with a count, in any order
+  std::uint64_t own = 0, instances = 0;  ///< count of the own instance, and of all instances
 
   void AddClass(std::uint32_t id, std::uint64_t count) {
     if (count == 0) return;
@@ -67,27 +67,26 @@ struct LabelTotals {
   }
 };
 
-/// Exact label counts of one block (paper II-A, II-C). In most blocks, all voxels have seen one class and their own
-/// submap, if anything: a count of 2 bytes each. Once one has seen more, each voxel takes 8 bytes for good, in which
-/// counts of one or two classes of the own instance are inline. Anything else (a third class, another instance, a count
-/// of one of two classes above 65,535) moves the voxel to an overflow list. A count ends at 2^32 - 1.
-/// Thread-compatible.
+/// Exact label counts of one block (paper II-A, II-C). In most blocks, all voxels have seen at most one class and their
+/// own submap: 2 bytes a voxel. After that, each voxel of the block permanently takes 8 bytes, which hold counts of one
+/// or two classes of the own instance inline. Everything else (a third class, another instance, a count above 65,535 of
+/// one of two classes) goes to an overflow list. Counts saturate at 2^32 - 1. Thread-compatible.
 ///
-/// Counts are what was seen, and nothing but more of it changes them. What refinement concludes from them is apart: a
-/// voxel that the submap holds although it has seen another instance more often, or none at all, has a bit for it, and
-/// dropping the bits (see ForgetConclusions) leaves what was seen.
+/// Counts record observations only. Conclusions of refinement are separate: a bit marks a voxel that the submap holds
+/// although another instance was observed there more often, or none was. Dropping these bits (ForgetConclusions) leaves
+/// the observations.
 class LabelBlock {
  public:
-  PartId part_id;  ///< of this block; no part of what it says
+  PartId part_id;  ///< identity of this object; not part of its value
 
   LabelBlock() = default;
   LabelBlock(const LabelBlock& other) = default;
-  /// As a whole or, where memory does not suffice, not at all.
+  /// All or nothing if memory runs out.
   LabelBlock& operator=(const LabelBlock& other);
   ~LabelBlock() = default;
 
   /// Adds one observation of class `c` that also counts for the own instance (paper II-C). `count` is what it counts,
-  /// 1 to 65,535 (see TrackingConfig::SightingUnit).
+  /// 1 to 65,535.
   void AddObservation(int linear, ClassId c, std::uint32_t count = 1) {
     const auto i = static_cast<std::size_t>(linear);
     if (counts_) {
@@ -107,56 +106,52 @@ class LabelBlock {
     AddObservationSlowly(linear, c, count);
   }
 
-  /// Adds an observation that counts so much, which may be for several classes and for other instances, too. Lists
-  /// sorted by id; of the same sum.
-  void AddVotes(int linear, const LabelHistograms& votes);
-
   /// Adds whole histograms, such as those of a voxel of another submap; lists sorted by id, ids of classes below
   /// 65,535.
   void Add(int linear, const LabelHistograms& histograms);
 
-  /// Whether the submap holds the voxel by conclusion, against what was seen most.
+  /// Whether the submap holds the voxel by conclusion, against its most frequent label.
   [[nodiscard]] bool IsConcluded(int linear) const { return IsIn(concluded_, linear); }
   void SetConcluded(int linear, bool is_concluded) { SetIn(concluded_, linear, is_concluded); }
   [[nodiscard]] const VoxelMask& concluded() const { return concluded_; }
   void set_concluded(const VoxelMask& concluded) { concluded_ = concluded; }
 
-  /// Replaces a voxel's counts; empty lists clear it. Nothing is concluded of it.
+  /// Replaces a voxel's counts; empty lists clear it. Clears its conclusion.
   void Set(int linear, const LabelHistograms& histograms);
   void Clear(int linear) { Set(linear, {}); }
-  /// Of a voxel that has no counts: `count` observations of a class, which count for the own instance, too. The class
-  /// is below 65,535, the count 1 to 65,535.
+  /// Sets `count` observations of a class, and as many of the own instance, in a voxel without counts. The class is
+  /// below 65,535, the count 1 to 65,535.
   void SetFirst(int linear, LabelCount of_class) {
     if (SetNarrow(linear, of_class)) return;
     cells_[static_cast<std::size_t>(linear)] =
         Cell::OfOneClass(static_cast<std::uint16_t>(of_class.id), of_class.count);
   }
 
-  /// Makes room for so many voxels that have seen more than a cell holds.
+  /// Reserves overflow entries for that many voxels.
   void ReserveOverflow(std::size_t num_voxels) { overflow_.reserve(num_voxels); }
 
-  /// Gives back what of it was not needed.
+  /// Releases unused capacity.
   void ShrinkOverflow() {
     if (overflow_.size() < overflow_.capacity()) overflow_.shrink_to_fit();
   }
 
-  /// Whether some voxel has seen the instance of `other`, as one that is not its own. Quick: few voxels have seen such.
+  /// Whether some voxel has counts for the instance `other`, which is not the own one. Quick: few voxels have any.
   [[nodiscard]] bool HasSeenInstance(SubmapId other) const;
-  /// What was seen of the instance of `from`, as one that is not the own, was `to`: their counts are added up.
+  /// Moves the counts of the instance `from` to `to`, adding to those that `to` has. `from` is not the own instance.
   void RenameInstance(SubmapId from, SeenInstance to);
 
   [[nodiscard]] bool IsEmpty(int linear) const;
   [[nodiscard]] LabelHistograms Get(int linear) const;
 
-  /// Without building lists: the most seen class, the most seen instance, and the number of observations.
+  /// Most frequent class, most frequent instance, and number of observations, without building lists.
   [[nodiscard]] BestLabel BestClass(int linear) const;
   [[nodiscard]] BestSeen<SeenInstance> BestInstance(int linear) const;
   /// Sum of the instance counts.
   [[nodiscard]] std::uint64_t NumObservations(int linear) const;
-  /// Adds what all voxels have seen.
+  /// Adds the counts of all voxels.
   void AddTo(LabelTotals& totals) const;
 
-  /// Calls visit(LabelCount) for each class that the voxel has seen, in no fixed order.
+  /// Calls visit(LabelCount) for each class that has a count, in no fixed order.
   template <typename Visitor>
   void VisitClasses(int linear, Visitor&& visit) const;
   /// Calls visit(InstanceCount), likewise.
@@ -165,7 +160,7 @@ class LabelBlock {
 
   [[nodiscard]] std::size_t NumOverflowVoxels() const;
   [[nodiscard]] std::size_t MemoryBytes() const;
-  /// Of them, what is counted as MemoryKind::kBlocks.
+  /// The part that MemoryKind::kBlocks counts.
   [[nodiscard]] std::size_t CountedBytes() const { return counts_ ? Counts::kBytes : Cells::kBytes; }
   bool operator==(const LabelBlock& other) const;
 
@@ -191,19 +186,19 @@ class LabelBlock {
 
   static constexpr std::uint32_t kMaxInlineCount = 0xFFFF;
 
-  /// What a cell says, or would: of any block.
+  /// A voxel's cell, in either form of the block.
   [[nodiscard]] Cell CellAt(int linear) const {
     const auto i = static_cast<std::size_t>(linear);
     if (!counts_) return cells_[i];
     const std::uint16_t count = counts_[i];
     return count != 0 ? Cell{class_, count, 0, 0} : Cell{};
   }
-  /// The cell to write to: makes cells of counts.
+  /// The cell for writing; converts counts to cells.
   Cell& Widen(int linear);
-  /// Of the own instance and one class alone, 0 to 65,535 times, where a count says all of it; else false, and there
-  /// are cells.
+  /// Stores 0 to 65,535 observations of one class and the own instance as a plain count. Returns false, after
+  /// converting to cells, if the block cannot hold it so.
   bool SetNarrow(int linear, LabelCount of_class);
-  /// Of a block of counts, which then may be of any class.
+  /// Whether a block of plain counts is empty, so that it may take any class.
   [[nodiscard]] bool HasNoCount() const;
   void AddCountsTo(LabelTotals& totals) const;
   void AddObservationSlowly(int linear, ClassId c, std::uint32_t count);
@@ -213,7 +208,7 @@ class LabelBlock {
   using Counts = VoxelPlane<std::uint16_t>;
   using Cells = VoxelPlane<Cell>;
   static_assert(Cells::kBytes == 4096, "a page");
-  // One of both.
+  // Exactly one of the two is in use.
   Counts counts_;
   Cells cells_ = Cells::None();
   std::uint16_t class_ = kNoClass;  ///< of the counts, from the first on

@@ -8,7 +8,7 @@
 
 namespace dhpmap {
 
-// Parts of states are told apart by their names (PartId), not by what is in them.
+// Parts of states are compared by name (PartId), not by content.
 
 // See PartId; 0 where there is no part.
 inline std::uint64_t PartIdOf(const BlockTile* tile) { return tile != nullptr ? tile->part_id() : 0; }
@@ -28,7 +28,7 @@ bool IsSamePart(const Old& old, const Now& now) {
   return PartIdOf(old) == PartIdOf(now);
 }
 
-/// Of what a name is kept of by a pointer: nothing else gets it while that is left.
+/// Keeps a name alive by a pointer: no other object gets it meanwhile.
 template <typename Part>
 bool IsSameObject(const std::weak_ptr<const Part>& old, const std::shared_ptr<const Part>& now) {
   return !old.owner_before(now) && !now.owner_before(old);

@@ -12,7 +12,7 @@
 
 namespace dhpmap {
 
-/// Which blocks of a tile have which layers; bit c of a layer's: the block at cell c.
+/// Which blocks of a tile have which layers: bit c of a layer is the block at cell c.
 using LayerCells = std::array<std::uint64_t, kNumBlockLayers>;
 
 /// Of all layers together.
@@ -22,23 +22,23 @@ inline std::uint64_t AnyOf(const LayerCells& cells) {
   return any;
 }
 
-/// What the layers of a tile's blocks are called, and the tile: see PartId. Immutable, thread-safe.
+/// Names (PartId) of the layers of a tile's blocks, and of the tile. Immutable, thread-safe.
 class PartNames {
  public:
-  /// Of nothing.
+  /// Names of nothing.
   PartNames() = default;
-  /// For a tile that nobody has had in memory yet.
+  /// New names, for a tile that was never in memory.
   static PartNames Draw() {
     PartNames names;
     names.first_ = PartId::Reserve(kNumBlockLayers * kTileBlocks + 1);
     names.tile_ = names.first_ + kNumBlockLayers * kTileBlocks;
     return names;
   }
-  /// Of parts that have names. `parts`: each layer in turn, by ascending cell.
+  /// Existing names. `parts`: each layer in turn, by ascending cell.
   PartNames(std::vector<std::uint64_t> parts, std::uint64_t tile) : tile_(tile), parts_(std::move(parts)) {}
 
   [[nodiscard]] std::uint64_t tile() const { return tile_; }
-  /// Of a block's layer; 0 if it has none.
+  /// Name of a block's layer; 0 if it has none.
   [[nodiscard]] std::uint64_t Of(const LayerCells& cells, BlockLayer layer, int cell) const {
     const auto l = static_cast<std::size_t>(layer);
     if ((cells[l] >> cell & 1u) == 0) return 0;
@@ -51,11 +51,11 @@ class PartNames {
   }
   [[nodiscard]] bool AreDrawn() const { return first_ != 0; }
 
-  /// Beside this itself.
+  /// In addition to this object.
   [[nodiscard]] std::size_t MemoryBytes() const { return parts_.capacity() * sizeof(parts_.front()); }
 
  private:
-  std::uint64_t first_ = 0;  ///< one name for each layer and cell that may be, from here on; 0: they are in parts_
+  std::uint64_t first_ = 0;  ///< first of one name for each possible layer and cell; 0: names are in parts_
   std::uint64_t tile_ = 0;
   std::vector<std::uint64_t> parts_;
 };

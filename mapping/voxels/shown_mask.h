@@ -16,17 +16,16 @@
 
 namespace dhpmap {
 
-// What holds of the voxels of a block, of all at once: a fraction of what it costs to ask for each.
+// Predicates over all voxels of a block at once, vectorised.
 
-/// Of one z.
+/// Voxels of one z.
 inline constexpr std::size_t kLayerVoxels = std::size_t{kBlockSide} * kBlockSide;
 
-/// Those of a layer of voxels of whose value the condition holds, of 64 values by LinearIndex: a bit each. A
-/// comparison is made of several at a time.
+/// Bit i: the condition holds for value i, of the 64 values of a layer by LinearIndex.
 template <typename Value, typename Condition>
 [[nodiscard]] std::uint64_t LayerWhere(const Value* values, Condition&& holds) {
   static_assert(std::endian::native == std::endian::little, "the first of eight bytes has the lowest bits");
-  std::array<std::uint8_t, kLayerVoxels> flags;  // a byte each: a loop that is vectorised
+  std::array<std::uint8_t, kLayerVoxels> flags;  // one byte each, so that the loop vectorises
   for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = holds(values[i]) ? 0xFF : 0;
   std::uint64_t layer = 0;
 #ifdef __SSE2__
@@ -45,7 +44,7 @@ template <typename Value, typename Condition>
   return layer;
 }
 
-/// The same of a whole block.
+/// The same for a whole block.
 template <typename Value, typename Condition>
 [[nodiscard]] VoxelMask MaskWhere(const std::array<Value, kBlockVoxels>& values, Condition&& holds) {
   VoxelMask mask;

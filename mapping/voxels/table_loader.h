@@ -11,37 +11,36 @@ namespace dhpmap {
 class BlockTable;
 class TileMarkTable;
 
-/// Marks of tiles that nobody has asked for: there are some once somebody has. Thread-safe.
+/// Marks of tiles that are not read yet; available once they are. Thread-safe.
 class MarkLoader {
  public:
   virtual ~MarkLoader() = default;
-  /// Reads which tiles there are if nobody has; their names then are others than they will be. Empty where they cannot
-  /// be read.
+  /// Reads the list of tiles if necessary; their names then differ from later ones. Empty if reading fails.
   [[nodiscard]] virtual const TileMarkTable& Read() const = 0;
-  /// Null if nobody has read the tiles.
+  /// Null until the tiles are read.
   [[nodiscard]] virtual const TileMarkTable* IfRead() const = 0;
 };
 
-/// The tiles of a submap, which are read when somebody asks for more than a few of their blocks: what a BlockTable has
-/// in place of its own. Shared by all states that have the submap as it was loaded. Thread-safe.
+/// Loads the tiles of a submap when more than a few of their blocks are requested; a BlockTable holds it in place of
+/// its own tiles. Shared by all states with the submap as loaded. Thread-safe.
 class TableLoader {
  public:
   virtual ~TableLoader() = default;
 
   /// Null if the block is not there. Valid as long as this. Throws StatusError.
   [[nodiscard]] virtual const BlockEntry* Find(BlockIndex index) const = 0;
-  /// All of them, once and for all. Throws StatusError; the next call tries again.
+  /// All tiles; read once. Throws StatusError; the next call tries again.
   [[nodiscard]] virtual const BlockTable& Read() const = 0;
-  /// Null if nobody has read all of them.
+  /// Null until all tiles are read.
   [[nodiscard]] const BlockTable* IfRead() const { return all_.load(std::memory_order_acquire); }
 
-  /// Whether blocks of tiles that were read one by one are in memory.
+  /// Whether blocks of individually read tiles are in memory.
   [[nodiscard]] virtual bool HoldsBlocks() const = 0;
   /// Never null; they outlive this.
   [[nodiscard]] virtual const std::shared_ptr<const MarkLoader>& marks() const = 0;
 
  protected:
-  /// To be called once all are read; `all` lives as long as this.
+  /// Call once all tiles are read; `all` must outlive this.
   void SetTable(const BlockTable& all) const { all_.store(&all, std::memory_order_release); }
 
  private:

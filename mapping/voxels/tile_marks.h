@@ -13,7 +13,7 @@
 
 namespace dhpmap {
 
-/// What stays of a block when its state is let go of: the names of its layers. Thread-compatible.
+/// Names of a block's layers, kept after its state is released. Thread-compatible.
 struct BlockMark {
   BlockIndex index;
   // See PartId; 0 where there was no layer.
@@ -21,38 +21,38 @@ struct BlockMark {
   std::uint64_t labels = 0;
   std::uint64_t gone = 0;
 
-  /// Whether these are the very layers of `entry`.
+  /// Whether they name exactly the layers of `entry`.
   [[nodiscard]] bool IsOf(const BlockEntry& entry) const;
 };
 
-/// What stays of a tile: the names of its parts, 8 bytes each; of one that was never in memory none but the first.
-/// Immutable, shared by the marks of all states that have the same tile.
+/// Names of the parts of a tile, 8 bytes each; only the first name for a tile that was never in memory. Immutable,
+/// shared by the marks of all states with the same tile.
 class TileMarks {
  public:
-  /// Reads nothing that is on the disk.
+  /// Reads nothing from disk.
   explicit TileMarks(const TileEntry& entry);
-  /// Of the blocks of a tile that there never was as a whole; by ascending cell.
+  /// For blocks that never formed a whole tile object; by ascending cell.
   TileMarks(TileIndex index, std::span<const BlockMark> blocks);
 
   [[nodiscard]] TileIndex index() const { return index_; }
-  /// See PartId; 0: of none that there was as a whole.
+  /// See PartId; 0 if there was no whole tile object.
   [[nodiscard]] std::uint64_t tile() const { return names_.tile(); }
   [[nodiscard]] bool empty() const { return blocks_ == 0; }
   /// Bit c: there was a block at cell c.
   [[nodiscard]] std::uint64_t cells() const { return blocks_; }
-  /// Of a cell where there was one.
+  /// For a cell that had a block.
   [[nodiscard]] BlockMark At(int cell) const;
   /// Nothing if there was no block at this cell.
   [[nodiscard]] std::optional<BlockMark> Find(int cell) const;
   /// By ascending cell.
   [[nodiscard]] std::vector<BlockMark> blocks() const;
 
-  /// Whether it is this very tile.
+  /// Whether they name exactly this tile.
   [[nodiscard]] bool IsOf(const TileEntry& entry) const { return tile() == entry.tile->part_id(); }
 
  private:
   TileIndex index_;
-  std::uint64_t blocks_ = 0;  ///< bit c: there was one at cell c, be it without layers
+  std::uint64_t blocks_ = 0;  ///< bit c: there was a block at cell c, with or without layers
   LayerCells cells_{};
   PartNames names_;
 };

@@ -11,7 +11,7 @@
 
 namespace dhpmap {
 
-/// A voxel of less weight than this has not been observed, and its distance means nothing.
+/// A voxel below this weight is unobserved, and its distance is meaningless.
 inline constexpr float kMinObservedWeight = 1e-6f;
 
 /// Geometry of one block (paper II-A): planes of kBlockVoxels values, indexed by LinearIndex. 11 bytes a voxel.

@@ -7,13 +7,13 @@
 
 #include "mapping/voxels/tsdf_block.h"
 
-// The weighted average of what was observed at a TSDF voxel, sum(w x) / sum(w) of distances and colours (Curless and
-// Levoy 1996; paper II-C and II-D), in the two forms there are: one observation more, and several holders merged.
+// The weighted average of the observations of a TSDF voxel, sum(w x) / sum(w) of distances and colours (Curless and
+// Levoy 1996; paper II-C and II-D), in two forms: incremental, and over several holders.
 
 namespace dhpmap {
 
-/// One observation more: from the average so far to the next one. One division for all values of a voxel, since fusion
-/// does this for every voxel that a ray crosses.
+/// Incremental: from the average so far to the next. One division for all values of a voxel, because fusion does this
+/// for every voxel on every ray.
 class RunningAverage {
  public:
   /// The sum of both weights must be above 0.
@@ -23,7 +23,7 @@ class RunningAverage {
   [[nodiscard]] float operator()(float so_far, float observed) const {
     return (so_far * weight_so_far_ + observed * weight_) * inverse_sum_;
   }
-  /// The same for a channel of a colour, rounded.
+  /// The same for a colour channel, rounded.
   [[nodiscard]] std::uint8_t Channel(std::uint8_t so_far, float observed) const {
     return static_cast<std::uint8_t>((*this)(static_cast<float>(so_far), observed) + 0.5f);
   }
@@ -34,12 +34,12 @@ class RunningAverage {
   float inverse_sum_;
 };
 
-/// What several submaps hold at a position, as one voxel. The sum of the weights is kept; with a Real of double, so is
-/// the average, but for one rounding, in whatever order they are added.
+/// Merges the voxels of several submaps at one position. Keeps the sum of weights and, with Real = double, the average
+/// up to one rounding, independent of the order.
 template <typename Real>
 class MergedAverage {
  public:
-  /// Adds voxel `i` of `block`, which is observed or weighs nothing.
+  /// Adds voxel `i` of `block`; it must be observed or have weight 0.
   void Add(const TsdfBlock& block, std::size_t i) {
     const Real weight = block.weight[i];
     const Color color = block.color[i];
@@ -50,7 +50,7 @@ class MergedAverage {
     b_ += weight * color.b;
   }
 
-  /// Writes the average and the sum of the weights to voxel `i` of `block`. Something of weight must have been added.
+  /// Writes the average and the sum of weights to voxel `i` of `block`. The sum must be positive.
   void Store(TsdfBlock& block, std::size_t i) const {
     block.distance_m[i] = static_cast<float>(distance_m_ / weight_);
     block.weight[i] = static_cast<float>(weight_);

@@ -8,7 +8,7 @@
 
 namespace dhpmap {
 
-/// Some voxels of a block: bit x + 8 y of word z.
+/// A set of voxels of a block: bit x + 8 y of word z.
 using VoxelMask = std::array<std::uint64_t, kBlockSide>;
 
 [[nodiscard]] constexpr bool IsIn(const VoxelMask& mask, int linear) {

@@ -7,7 +7,7 @@
 
 namespace dhpmap {
 
-/// The one table from status codes to what each door shows: gRPC the number, REST the HTTP status.
+/// The one table of status codes at both doors: the number for gRPC, the HTTP status for REST.
 struct StatusRow {
   StatusCode code;
   int grpc_code;
@@ -15,15 +15,14 @@ struct StatusRow {
 };
 std::span<const StatusRow> StatusTable();
 
-/// Reasons that HTTP shows by a status of their own, whatever their code.
+/// Reasons with an HTTP status of their own, whatever their code.
 struct ReasonStatusRow {
   Reason reason;
   int http_status;
 };
 std::span<const ReasonStatusRow> ReasonStatusTable();
 
-/// What HTTP shows of a failure: the status of its reason where that has one of its own, else that of its code; 500 for
-/// a number that is no code.
+/// HTTP status of a failure: that of its reason if it has its own, else that of its code; 500 for an unknown code.
 int HttpStatusOf(int grpc_code, Reason reason = {});
 
 }  // namespace dhpmap

@@ -17,7 +17,7 @@ v1::LabelClass::Kind ToProto(Panoptic panoptic);
 v1::Color ToProto(Color color);
 v1::LabelClass ToProto(const LabelClass& label_class);
 
-/// Nothing for a number that no class can have.
+/// Nothing for a number outside the range of class ids.
 std::optional<ClassId> ClassIdFromProto(std::int64_t id);
 
 /// INVALID_ARGUMENT naming every bad class.

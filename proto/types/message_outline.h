@@ -13,26 +13,25 @@
 
 namespace dhpmap {
 
-/// What can be told of a message without parsing it, in no memory. Fields are counted however deep they are, known or
-/// not: some take fifty times what they are on the wire.
+/// Size of a serialised message as an object, computed without parsing and without memory. Counts fields at any depth,
+/// known or not: some take fifty times their size on the wire.
 struct MessageOutline {
-  std::size_t num_fields = 0;     ///< all but known numbers: no fewer than there are messages, texts and unknown fields
-  std::size_t message_bytes = 0;  ///< what it takes as a message: no less, but for what the allocator adds
+  std::size_t num_fields = 0;     ///< all except known numbers: an upper bound of messages, texts and unknown fields
+  std::size_t message_bytes = 0;  ///< upper bound of its memory, without allocator overhead
 };
 
-/// What messages of a type are made of, so that bytes are told to be one, and how large it is, before they are parsed.
-/// Immutable.
+/// Layout of a message type, for validating and sizing bytes before they are parsed. Immutable.
 class MessageLayout {
  public:
-  /// `type` is of generated code: it and all that it holds.
+  /// `type` and all nested types are generated code.
   explicit MessageLayout(const google::protobuf::Descriptor& type);
   ~MessageLayout();
 
-  /// In next to no memory, whatever the bytes are. What is no such message is INVALID_ARGUMENT, reason
-  /// MALFORMED_PROTOBUF; whether texts are UTF-8 is not looked at.
+  /// Needs almost no memory for any input. INVALID_ARGUMENT, reason MALFORMED_PROTOBUF, for anything else; does not
+  /// check texts for UTF-8.
   [[nodiscard]] Result<MessageOutline> OutlineOf(google::protobuf::io::ZeroCopyInputStream& bytes) const;
   [[nodiscard]] Result<MessageOutline> OutlineOf(std::string_view bytes) const;
-  /// What the answer is to bytes that are no such message.
+  /// The error for malformed bytes.
   [[nodiscard]] Status Malformed() const;
 
  private:
@@ -45,7 +44,7 @@ class MessageLayout {
   std::map<const google::protobuf::Descriptor*, std::unique_ptr<Type>> types_;
 };
 
-/// Made when it is first asked for; `type` is of generated code. Thread-safe.
+/// Created on first use; `type` is generated code. Thread-safe.
 const MessageLayout& LayoutOf(const google::protobuf::Descriptor& type);
 template <typename Message>
 const MessageLayout& LayoutOf() {

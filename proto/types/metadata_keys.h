@@ -3,8 +3,8 @@
 
 namespace dhpmap {
 
-/// Metadata of a call by which the REST door says that the client's stream is one message: then its answer is one
-/// message, too, or the error that refuses it.
+/// Metadata of a call from the REST door: the client's stream is a single message, so the answer is a single message or
+/// an error.
 inline constexpr char kOneMessageKey[] = "dhpmap-one-message";
 
 }  // namespace dhpmap

@@ -13,20 +13,20 @@ namespace dhpmap {
 
 inline constexpr char kRecordExtension[] = ".dhprec";
 
-/// What a record takes in a file.
+/// Size of a record in a file.
 std::size_t BytesInFile(const v1::Record& record);
 
-/// Appends records to a new file: see record.proto. Each is handed to the system as a whole before Append returns, so a
-/// process that is killed loses none, a machine the last ones. Thread-compatible.
+/// Appends records to a new file: see record.proto. Append writes each record to the system before it returns, so a
+/// killed process loses none, a crashed machine only the last ones. Thread-compatible.
 class RecordWriter {
  public:
-  /// Errors of the file system, ALREADY_EXISTS included. `path` must not be there.
+  /// Errors of the file system. ALREADY_EXISTS if there is a file at `path`.
   static Result<RecordWriter> Create(const std::string& path);
   RecordWriter(RecordWriter&& other) noexcept;
   RecordWriter& operator=(RecordWriter&&) = delete;
   ~RecordWriter();
 
-  /// After an error the end of the file may be torn, and nothing more can be appended.
+  /// After an error the file may end with a torn record, and nothing more can be appended.
   Status Append(const v1::Record& record);
 
  private:
@@ -34,16 +34,16 @@ class RecordWriter {
   int file_;
 };
 
-/// Reads them, the first of which is a `start`. Thread-compatible.
+/// Reads records; the first is a `start`. Thread-compatible.
 class RecordReader {
  public:
-  /// NOT_FOUND, or DATA_LOSS if it is no record of frames.
+  /// NOT_FOUND, or DATA_LOSS if it is no recording.
   static Result<RecordReader> Open(const std::string& path);
 
   [[nodiscard]] const v1::RecordStart& start() const { return start_; }
-  /// Nothing at the end, which may be torn.
+  /// Nothing at the end, also before a torn record.
   Result<std::optional<v1::Record>> Next();
-  /// After the end: a record there was not written as a whole.
+  /// After the end: whether there was a torn record.
   [[nodiscard]] bool is_torn() const { return is_torn_; }
 
  private:

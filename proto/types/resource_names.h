@@ -11,9 +11,9 @@
 
 namespace dhpmap {
 
-/// instance_id where there is no submap; 0 is the unknown one.
+/// instance_id without a submap; 0 is the unknown one.
 inline constexpr std::int64_t kNobodysId = -1;
-/// class_id in a column, of what has no class.
+/// class_id without a class, in columns.
 inline constexpr std::int32_t kNoClass = -1;
 
 struct SubmapName {
@@ -36,7 +36,7 @@ struct ObjectName {
 /// Either form.
 Result<ObjectName> ParseObjectName(std::string_view name, std::string_view field);
 
-/// {map} of any name below "maps/{map}", however it goes on; empty if it does not begin like that.
+/// {map} of any name below "maps/{map}"; empty for other names.
 std::string MapOfResource(std::string_view name);
 
 struct EditName {
@@ -48,7 +48,7 @@ Result<EditName> ParseEditName(std::string_view name, std::string_view field);
 
 std::string MapResourceName(std::string_view map);
 std::string SubmapResourceName(std::string_view map, SubmapId submap);
-/// An edit is known by the revision that has it.
+/// An edit is identified by its revision.
 std::string EditResourceName(std::string_view map, std::int64_t revision);
 /// "maps/{map}/sessions/{session}".
 std::string SessionResourceName(std::string_view map, std::string_view session);

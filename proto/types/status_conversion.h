@@ -10,16 +10,16 @@
 namespace dhpmap {
 
 /// The error as both doors send it: the reason as google.rpc.ErrorInfo of domain "dhpmap", the violations as
-/// google.rpc.BadRequest, of which the first also stands in the message. What is not UTF-8 (a message may quote what a
-/// client sent) has '?' in its place.
+/// google.rpc.BadRequest, the first also in the message. Replaces bytes that are not UTF-8 by '?' (messages may quote
+/// clients).
 google::rpc::Status ToProto(const Status& status);
 
-/// What the details of an error say.
+/// Details of an error.
 struct ErrorDetails {
-  std::string reason;  ///< as sent, for it may come from a newer server; empty: none
+  std::string reason;  ///< as sent, possibly by a newer server; may be empty
   std::vector<FieldViolation> violations;
 };
-/// Of a serialised google.rpc.Status, as gRPC carries it; empty if it is none.
+/// From a serialised google.rpc.Status, as in gRPC trailers; empty if malformed.
 ErrorDetails ReadErrorDetails(const std::string& bytes);
 
 }  // namespace dhpmap

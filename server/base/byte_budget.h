@@ -10,20 +10,20 @@
 
 namespace dhpmap {
 
-/// RESOURCE_EXHAUSTED: requests, frames and answers in flight have taken all of their budget.
+/// RESOURCE_EXHAUSTED: in-flight requests, frames and answers have used the budget.
 inline Status TooManyBytes() {
   return ResourceExhausted("too many bytes of requests and answers are in flight: try again later")
       .WithReason("TOO_MANY_BYTES");
 }
 
-/// How many bytes may be in memory at once for one purpose, whoever holds them. Thread-safe.
+/// A limit of bytes in memory for one purpose, over all holders. Thread-safe.
 class ByteBudget {
  public:
-  /// A share of up to `free_bytes` costs nothing: what is small goes on when the budget is spent.
+  /// Shares of up to `free_bytes` are free of charge, so that small requests pass even when the budget is spent.
   explicit ByteBudget(std::size_t limit_bytes, std::size_t free_bytes = 0)
       : limit_bytes_(limit_bytes), free_bytes_(free_bytes) {}
 
-  /// False, and nothing taken, if that would be too many.
+  /// Takes nothing and returns false if that would exceed the limit.
   bool TryTake(std::size_t bytes) {
     std::size_t used = used_bytes_.load();
     do {
@@ -42,10 +42,10 @@ class ByteBudget {
   std::atomic<std::size_t> used_bytes_{0};  // never above the limit
 };
 
-/// What one request, answer or frame has taken of a budget; gives it back at its end. Thread-compatible.
+/// The share of one request, answer or frame; its destructor returns it. Thread-compatible.
 class ByteShare {
  public:
-  /// `budget` is there as long as this holds anything of it.
+  /// `budget` must outlive the share.
   explicit ByteShare(ByteBudget* budget) : budget_(budget) {}
   ~ByteShare() {
     if (bytes_ > 0) Release();
@@ -55,7 +55,7 @@ class ByteShare {
   ByteShare& operator=(const ByteShare&) = delete;
   ByteShare& operator=(ByteShare&&) = delete;
 
-  /// Takes more, or gives some back. False, and nothing changed, if there are not so many left.
+  /// Takes more or returns some. False, without change, if too little is left.
   [[nodiscard]] bool Resize(std::size_t bytes) {
     const std::size_t before = Cost(bytes_), after = Cost(bytes);
     if (after > before && !budget_->TryTake(after - before)) return false;
@@ -63,13 +63,12 @@ class ByteShare {
     bytes_ = bytes;
     return true;
   }
-  /// Takes so much more; all there is where that is more than there ever can be, so that what is huge can be done
-  /// alone.
+  /// Takes `bytes` more, at most the whole budget, so that a huge request can run alone.
   [[nodiscard]] bool Grow(std::size_t bytes) { return Resize(std::min(bytes_ + bytes, budget_->limit_bytes())); }
   void Release() { (void)Resize(0); }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] const ByteBudget& budget() const { return *budget_; }
-  /// Another one of the same budget, with nothing in it. At any time, on any thread.
+  /// A new, empty share of the same budget. From any thread.
   [[nodiscard]] ByteShare Another() const { return ByteShare(budget_); }
 
  private:

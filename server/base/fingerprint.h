@@ -6,8 +6,8 @@
 
 namespace dhpmap {
 
-/// A number that tells texts apart which nobody has made to collide: FNV-1a, 64 bits. The same in every process and
-/// version, so it may be handed out.
+/// FNV-1a, 64 bits, for texts that are not crafted to collide. The same in every process and version, so it may be
+/// exposed.
 constexpr std::uint64_t Fingerprint(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;

@@ -14,19 +14,19 @@
 
 namespace dhpmap {
 
-/// Work that waits for a thread and can be given up as long as it does. Thread-safe.
+/// Work that waits for a thread and can be cancelled until it starts. Thread-safe.
 class LaneTask {
  public:
-  /// What `work` throws nobody gets but LaneOptions::on_exception: it answers its own callers.
+  /// `work` answers its own callers; only LaneOptions::on_exception sees its exceptions.
   explicit LaneTask(std::function<void()> work) : work_(std::move(work)) {}
 
-  /// True if the work had not begun: then it is freed, and never will.
+  /// True if the work had not started: it is freed and will never run.
   bool GiveUp() DHPMAP_EXCLUDES(mutex_);
 
  private:
   friend class Lane;
   [[nodiscard]] bool IsGivenUp() const DHPMAP_EXCLUDES(mutex_);
-  /// The work, to be begun now; empty if it is given up.
+  /// The work, to be started now; empty if cancelled.
   [[nodiscard]] std::function<void()> Take() DHPMAP_EXCLUDES(mutex_);
 
   mutable Mutex mutex_;
@@ -36,41 +36,40 @@ class LaneTask {
 struct LaneOptions {
   const char* name = "lane";  ///< of its threads
   int num_threads = 1;
-  std::size_t max_waiting = 1024;  ///< tasks that no thread has begun
+  std::size_t max_waiting = 1024;  ///< limit of tasks that have not started
   int niceness = 0;                ///< of its threads, above that of the process: 10 leaves the cores to others
   Turns turns = Turns::kOrdinary;
-  /// Hears, on the lane's thread, what a task has thrown. Empty: standard error gets a line.
+  /// Called on the lane's thread with the exception of a task. Empty: logs to standard error.
   std::function<void(const char* what)> on_exception = {};
 };
 
-/// Threads for work of one kind, in the order it came, so that no kind waits for another, and none holds up the few
-/// threads that hear of what arrives. It outlives what its tasks throw. Thread-safe.
+/// Threads and a FIFO queue for work of one kind, so that kinds do not wait for each other and the few network threads
+/// are never blocked. Survives exceptions of tasks. Thread-safe.
 class Lane {
  public:
   explicit Lane(const LaneOptions& options);
-  /// Runs what was posted, then ends the threads.
+  /// Runs all posted tasks, then ends the threads.
   ~Lane();
   Lane(const Lane&) = delete;
   Lane& operator=(const Lane&) = delete;
 
-  /// False, and nothing is kept, if max_waiting tasks wait that nobody has given up.
+  /// False, without keeping the task, if max_waiting live tasks wait.
   [[nodiscard]] bool TryPost(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
-  /// The same for work that takes a state of a map and goes on with it in other tasks. It begins when nothing else
-  /// waits, so that what has begun ends first and lets go of its state; but it does not wait for ever.
+  /// The same for work that pins a state of a map and continues in further tasks. It starts when nothing else waits, so
+  /// that running work ends first and unpins its state; but it does not wait for ever.
   [[nodiscard]] bool TryPostLast(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
-  /// For work that its source bounds, such as the frames in flight of a stream: there is always room for it.
+  /// For work bounded by its source, such as the in-flight frames of a stream: never refused.
   void Post(std::function<void()> work) DHPMAP_EXCLUDES(mutex_);
   void Post(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
 
-  /// Spread (see there) over the caller's thread and those of the lane that come to it meanwhile: with a busy lane the
-  /// caller does it alone. If a body throws, items that have not begun are left out, and the caller gets the first
-  /// exception once the others have ended.
+  /// Spread over the caller's thread and idle threads of the lane: if the lane is busy, the caller does all. If a body
+  /// throws, remaining items are skipped, and the caller gets the first exception once running ones have ended.
   void Share(std::size_t count, const std::function<void(std::size_t)>& body) DHPMAP_EXCLUDES(mutex_);
 
  private:
   class Shared;
   using Clock = std::chrono::steady_clock;
-  /// How long others may go before one of TryPostLast.
+  /// Maximum time for which others may overtake a task of TryPostLast.
   static constexpr std::chrono::seconds kLongestLast{5};
   struct Last {
     std::shared_ptr<LaneTask> task;

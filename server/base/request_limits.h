@@ -10,21 +10,22 @@
 
 namespace dhpmap {
 
-// How large requests may be, at whichever door.
+// Size limits of requests at both doors.
 
-/// Of one request of this method, where the door takes `most_bytes`: all of it if there are lists in it or it is one of
-/// a stream, 1 MiB if it is names and numbers.
+/// For one request of this method at a door with the limit `most_bytes`: all of it for requests with lists and for
+/// streams, 1 MiB for names and numbers.
 std::size_t MostRequestBytes(const google::protobuf::MethodDescriptor& method, std::size_t most_bytes);
-/// As a message with its bytes: without a bound of its own if there are lists in it, else 4 MiB. A watch keeps its
-/// request for hours: a few must not take what there is for all.
+/// As a parsed message with its bytes: unlimited for requests with lists, else 4 MiB. A watch holds its request for
+/// hours, so a few must not use up the budget.
 std::size_t MostMessageBytes(const google::protobuf::MethodDescriptor& method);
 /// RESOURCE_EXHAUSTED, reason BODY_TOO_LARGE.
 Status RequestTooLarge(std::size_t num_bytes, std::size_t most_bytes);
 Status MessageTooLarge(std::size_t num_bytes, std::size_t most_bytes);
 
-/// Whether a request is counted by its bytes alone, though lists of messages take several times that.
+/// Whether a request is small enough to count by its bytes alone, although parsed lists of messages take several times
+/// that.
 bool IsSmallRequest(std::size_t num_bytes, std::size_t message_bytes, const ByteBudget& budget);
-/// RESOURCE_EXHAUSTED, reason BODY_TOO_LARGE, if there never are so many `bytes` for what a request takes.
+/// RESOURCE_EXHAUSTED, reason BODY_TOO_LARGE, if a request of `bytes` can never fit into the budget.
 Status CheckEverFits(std::size_t bytes, const ByteBudget& budget);
 
 }  // namespace dhpmap

@@ -6,8 +6,8 @@
 
 namespace dhpmap {
 
-/// A state that changes only as `IsLegal(State from, State to)`, found beside the enum, allows. Any other change is a
-/// bug in this program, never a client's doing: builds with assertions (dev and the sanitizers) stop there.
+/// A state with transitions restricted by `IsLegal(State from, State to)`, declared next to the enum. Any other
+/// transition is a bug of this program, never a client's: builds with assertions (dev, sanitizers) abort.
 /// Thread-compatible.
 template <typename State>
 class StateMachine {

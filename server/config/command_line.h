@@ -9,14 +9,14 @@
 
 namespace dhpmap {
 
-/// What a command line asks for.
+/// Result of parsing a command line.
 struct Invocation {
   ServerConfig config;
-  bool is_done = false;  ///< nothing is to be served: print `text` and exit
+  bool is_done = false;  ///< do not serve: print `text` and exit
   std::string text;      ///< help, version or --print-config
 };
 
-/// Defaults < file (--config) < environment < flags; checked, every bad key named at once. `environment`: strings
+/// Defaults < file (--config) < environment < flags; validated, naming every bad key at once. `environment`: strings
 /// "NAME=value". INVALID_ARGUMENT, NOT_FOUND.
 Result<Invocation> ParseCommandLine(const std::vector<std::string>& arguments,
                                     const std::vector<std::string>& environment);

@@ -172,6 +172,7 @@ KeyValues KeysFromEnvironment(const std::vector<std::string>& environment) {
     if (!std::string_view(key).starts_with("insecure")) known.emplace_back(key);
   });
   for (const auto& [key, value] : ConfigToText(config.map_defaults)) known.push_back(std::string(kMapDefaults) + key);
+  for (const RetiredField& field : RetiredFields()) known.push_back(std::string(kMapDefaults).append(field.key));
 
   KeyValues values;
   for (const std::string& variable : environment) {

@@ -8,7 +8,7 @@
 
 namespace dhpmap {
 
-/// Everything that can be set of the server. Order: these defaults < file < environment < flags.
+/// All settings of the server. Precedence: these defaults < file < environment < flags.
 struct ServerConfig {
   std::string db;  ///< the SQLite file with the maps; required to serve
   bool insecure = false;
@@ -96,15 +96,15 @@ struct ServerConfig {
   } limits;
   double shutdown_grace_s = 2.0;
 
-  /// Of a new map that names no preset.
+  /// For a new map without a preset.
   MapConfig map_defaults = IndoorConfig();
 
-  /// INVALID_ARGUMENT naming every key that is not usable, at once.
+  /// INVALID_ARGUMENT naming every invalid key at once.
   [[nodiscard]] Status Validate() const;
 };
 
-/// Calls visit(key, member, least, most, help) for every field but those of map_defaults; least and most mean nothing
-/// for text and switches. The one list of keys: file, environment, flags and --print-config all go through it.
+/// Calls visit(key, member, least, most, help) for every field except those of map_defaults; least and most are ignored
+/// for text and switches. The one list of keys: file, environment, flags and --print-config all use it.
 template <typename Config, typename Visitor>
 void VisitServerFields(Config& c, Visitor&& visit) {
   visit("db", c.db, 0, 0, "SQLite file of the maps; required to serve");
@@ -184,7 +184,7 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("history.kept_states", c.history.kept_states, 0, 1e5,
         "past states of each open map that can be read and restored; 0 = none");
   visit("history.kept_states_mib", c.history.kept_states_mib, 0, 1e6,
-        "MiB for what only past states hold, of all maps together; the oldest are evicted");
+        "MiB of memory of past states, over all maps; the oldest are evicted");
   visit("limits.query_points", c.limits.query_points, 1, 1e9, "points in one QueryPoints");
   visit("limits.pending_edits", c.limits.pending_edits, 1, 1e6, "waiting edits per map; more are refused");
   visit("limits.inflight_mib", c.limits.inflight_mib, 16, 1e6,

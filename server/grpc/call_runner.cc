@@ -51,7 +51,7 @@ Status WhileThereIsRoom(const ServiceContext& context, std::shared_ptr<const Map
                         const std::stop_token& stop, const std::function<Status(const std::stop_token&)>& work) {
   std::stop_source ended;
   const std::stop_callback on_stop(stop, [&ended] { ended.request_stop(); });
-  const auto hold = context.held.TryHold(std::move(state), [&ended] { ended.request_stop(); });
+  const auto hold = context.held.TryPin(std::move(state), [&ended] { ended.request_stop(); });
   if (hold == nullptr) return TooManyBytes();
   Status status = work(ended.get_token());
   const bool is_let_go = status.code() == StatusCode::kCancelled && !stop.stop_requested();

@@ -22,7 +22,7 @@
 #include "mapping/base/spread.h"
 #include "mapping/paging/page_reader.h"
 #include "server/app/maps/map_registry.h"
-#include "server/app/states/held_states.h"
+#include "server/app/states/pinned_snapshots.h"
 #include "server/base/byte_budget.h"
 #include "server/grpc/grpc_options.h"
 #include "server/grpc/lanes.h"
@@ -36,7 +36,7 @@ struct ServiceContext {
   Lanes& lanes;
   const GrpcOptions& options;
   const GrpcObserver& observer;
-  HeldStates& held;
+  PinnedSnapshots& held;
   std::atomic<int>& num_checks;  ///< that are being answered in pieces
 };
 
@@ -118,7 +118,7 @@ grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, const CallMessa
 struct StreamKeeps {
   ByteShare& room;  ///< to grow by what that is, but for a state
   /// To be called with the state that it goes through, if it does. RESOURCE_EXHAUSTED if there is no room for one.
-  std::function<Status(HeldStates::State)> hold;
+  std::function<Status(PinnedSnapshots::State)> hold;
 };
 
 /// Streams messages to a client, made on the bulk lane one at a time while the client takes them; refused if there is
@@ -142,7 +142,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
       const Status status = RunGuarded([&] {
         const PageReader reading(stream->pages_);
         const StreamKeeps keeps{stream->share_,
-                                [stream](const HeldStates::State& state) { return stream->HoldState(state); }};
+                                [stream](const PinnedSnapshots::State& state) { return stream->HoldState(state); }};
         DHPMAP_ASSIGN_OR_RETURN(stream->next_, prepare(stream->stop_.get_token(), keeps));
         return Status::Ok();
       });
@@ -186,8 +186,8 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
         record_(context, method),
         share_(context.options.inflight.get()) {}
 
-  Status HoldState(const HeldStates::State& state) {
-    hold_ = context_.held.TryHold(state, [this] { LetGo(); });
+  Status HoldState(const PinnedSnapshots::State& state) {
+    hold_ = context_.held.TryPin(state, [this] { LetGo(); });
     return hold_ != nullptr ? Status::Ok() : TooManyBytes();
   }
   /// Once what is being made or written is, or at once if nothing is.
@@ -250,7 +250,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   // So that ThreadSanitizer, which sees none of gRPC's own locks, sees that one message was made before the next, on
   // another thread, and all before the end. Else it looks each access up in all races that it leaves out: minutes.
   std::atomic<bool> is_made_ = false;
-  std::unique_ptr<HeldStates::Hold> hold_;
+  std::unique_ptr<PinnedSnapshots::Pin> hold_;
   PageHold pages_;  ///< that the state has because this has read them
   mutable Mutex mutex_;
   std::shared_ptr<LaneTask> task_ DHPMAP_GUARDED_BY(mutex_);             ///< the newest

@@ -93,7 +93,7 @@ class PieceRun : public std::enable_shared_from_this<PieceRun> {
     is_in_lane_ = true;
     const Status held = Guarded<Status>([this]() -> Status {
       on_stop_.emplace(stop_, [this] { ended_.request_stop(); });
-      hold_ = context_.held.TryHold(state_, [this] { ended_.request_stop(); });
+      hold_ = context_.held.TryPin(state_, [this] { ended_.request_stop(); });
       return hold_ != nullptr ? Status::Ok() : TooManyBytes();
     });
     if (!held.ok()) return End(held);
@@ -139,7 +139,7 @@ class PieceRun : public std::enable_shared_from_this<PieceRun> {
   PageHold pages_;  ///< that the state has because this has read them
   std::stop_source ended_;
   std::optional<std::stop_callback<std::function<void()>>> on_stop_;
-  std::unique_ptr<HeldStates::Hold> hold_;
+  std::unique_ptr<PinnedSnapshots::Pin> hold_;
 };
 
 /// INVALID_ARGUMENT for what could never be answered.

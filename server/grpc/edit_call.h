@@ -67,18 +67,18 @@ grpc::ServerUnaryReactor* RunEdit(const ServiceContext& context, const CallMessa
       context, call, [&context, kept, response, plan, fill](const Respond& respond, const std::stop_token&) {
         Result<PlannedEdit> planned = plan();
         if (!planned.ok()) return respond(planned.status());
-        const auto session = context.registry.OpenSession(planned->map);
-        if (!session.ok()) return respond(session.status());
+        const auto open_map = context.registry.GetOpen(planned->map);
+        if (!open_map.ok()) return respond(open_map.status());
         planned->request.answer = [fill](const MapView& view, const EditMade& made) {
           Response answer;
           fill(view, made, answer);
           return answer.SerializeAsString();
         };
-        if ((*session)->IsRecorded()) {
+        if ((*open_map)->IsRecorded()) {
           planned->request.arrived = {std::string(kept.method), kept.request->SerializeAsString()};
         }
         const bool is_tried = planned->request.mode == EditMode::kTryOnly;
-        (*session)->Edit(
+        (*open_map)->Edit(
             std::move(planned->request), [respond, response, is_tried](const Result<EditOutcome>& outcome) {
               RespondToEdit(outcome, respond, [&]() -> Status {
                 if (!response->ParseFromString(outcome->answer)) {

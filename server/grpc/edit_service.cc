@@ -9,7 +9,6 @@
 #include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "proto/types/resource_names.h"
 #include "server/app/edits/edit_list.h"
-#include "server/app/edits/edit_summary.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/edit_call.h"
 #include "server/grpc/read_view.h"
@@ -159,13 +158,7 @@ class EditService final : public CountedService<v1::EditService> {
     DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map));
     DHPMAP_ASSIGN_OR_RETURN(EditList list, EditListFromProto(request, map, *view->snapshot().info().label_set));
     list.lost = *context_.registry.LostRevisionsOf(map);
-    list.undelete = context_.registry.Undeletions();
-    auto change = [results, list = std::make_shared<const EditList>(std::move(list))](Map& edited) -> Result<EditMade> {
-      DHPMAP_ASSIGN_OR_RETURN(*results, dhpmap::ApplyEdits(*list, edited));
-      return EditMade{
-          .submap = SubmapId(), .summary = SummaryOfList(*list, *results), .cleared = ClearedBy(*list, *results)};
-    };
-    return PlanEdit("ApplyEdits", request, map, std::move(change));
+    return PlanEdit("ApplyEdits", request, map, context_.registry.EditsOf(std::move(list), results));
   }
 
   template <typename Request>

@@ -161,7 +161,7 @@ struct GrpcServer::Impl {
 
   GrpcOptions options;
   GrpcObserver observer;
-  HeldStates held;
+  PinnedSnapshots held;
   std::atomic<int> num_checks = 0;
   ServiceContext context;
   IntegrateStreams streams;

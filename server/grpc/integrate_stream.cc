@@ -261,7 +261,7 @@ Status IntegrateStream::CheckSamePlace() const {
 Result<IntegrateStream::Place> IntegrateStream::TakePlace() {
   DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request_.map(), "map"));
   DHPMAP_RETURN_IF_ERROR(CheckSessionName(request_.session()));
-  DHPMAP_ASSIGN_OR_RETURN(auto map, context_.registry.OpenSession(name));
+  DHPMAP_ASSIGN_OR_RETURN(auto map, context_.registry.GetOpen(name));
   DHPMAP_ASSIGN_OR_RETURN(auto feed,
                           map->BeginFeed({.session = request_.session(),
                                           .take_over = request_.take_over(),
@@ -349,7 +349,7 @@ void IntegrateStream::Do(StreamTurns::Todo todo) {
 }
 
 void IntegrateStream::CommitAndEnd() {
-  std::shared_ptr<MapSession> map;
+  std::shared_ptr<OpenMap> map;
   {
     const MutexLock lock(mutex_);
     if (place_) map = place_->map;

@@ -11,7 +11,7 @@
 
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "mapping/base/mutex.h"
-#include "server/app/session/map_session.h"
+#include "server/app/open_map/open_map.h"
 #include "server/base/byte_budget.h"
 #include "server/base/lane.h"
 #include "server/grpc/call_runner.h"
@@ -70,7 +70,7 @@ class IntegrateStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, g
   using Ack = v1::IntegrateFramesResponse;
   /// A map that is open, and our turn at feeding it.
   struct Place {
-    std::shared_ptr<MapSession> map;
+    std::shared_ptr<OpenMap> map;
     std::shared_ptr<Feed> feed;
   };
 

@@ -135,9 +135,9 @@ class MapService final : public CountedService<v1::MapService> {
                                              v1::ListMapRevisionsResponse* response) override {
     return Run(context_, {"MapService/ListMapRevisions", request, response, request->parent()}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->parent(), "parent"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
-      std::vector<KeptStates::State> states = session->kept_states()->All();
-      const KeptStates::State present = session->View()->shared_snapshot();
+      DHPMAP_ASSIGN_OR_RETURN(const auto open_map, context_.registry.GetOpen(name));
+      std::vector<SnapshotHistory::State> states = open_map->history()->All();
+      const SnapshotHistory::State present = open_map->View()->shared_snapshot();
       // A commit keeps its state before the writer shows it.
       while (!states.empty() && states.back()->revision() > present->revision()) states.pop_back();
       if (states.empty() || states.back()->revision() < present->revision()) states.push_back(present);

@@ -33,12 +33,12 @@ class MappingService final : public CountedService<v1::MappingService> {
                                          v1::ListSessionsResponse* response) override {
     return Run(context_, {"MappingService/ListSessions", request, response, request->parent()}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->parent(), "parent"));
-      DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
-      const auto view = session->View();
+      DHPMAP_ASSIGN_OR_RETURN(const auto open_map, context_.registry.GetOpen(name));
+      const auto view = open_map->View();
       const PageMark now{.history_id = view->snapshot().info().history_id, .revision = view->snapshot().revision()};
       DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, now, *context_.registry.LostRevisionsOf(name)));
       response->set_revision(view->snapshot().revision());
-      for (const SessionStatus& status : session->Sessions()) {
+      for (const SessionStatus& status : open_map->Sessions()) {
         const std::string key = kSessionKey + status.session;  // not empty, as that of streams that name none would be
         if (key <= pager.after()) continue;
         v1::FeedSession proto = ToProto(status, name);
@@ -55,9 +55,9 @@ class MappingService final : public CountedService<v1::MappingService> {
     return Run(context_, {.method = "MappingService/EndSession", .request = request, .opens = request->map()},
                [=, this]() -> Status {
                  DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->map(), "map"));
-                 DHPMAP_ASSIGN_OR_RETURN(const auto session, context_.registry.OpenSession(name));
-                 DHPMAP_RETURN_IF_ERROR(session->EndSession(request->session()));
-                 response->set_revision(session->View()->snapshot().revision());
+                 DHPMAP_ASSIGN_OR_RETURN(const auto open_map, context_.registry.GetOpen(name));
+                 DHPMAP_RETURN_IF_ERROR(open_map->EndSession(request->session()));
+                 response->set_revision(open_map->View()->snapshot().revision());
                  return Status::Ok();
                });
   }
@@ -68,9 +68,9 @@ class MappingService final : public CountedService<v1::MappingService> {
                     [=, this](const Respond& respond, const std::stop_token& stop) {
                       const auto name = ParseMapName(request->map(), "map");
                       if (!name.ok()) return respond(name.status());
-                      const auto session = context_.registry.OpenSession(*name);
-                      if (!session.ok()) return respond(session.status());
-                      (*session)->Finish(
+                      const auto open_map = context_.registry.GetOpen(*name);
+                      if (!open_map.ok()) return respond(open_map.status());
+                      (*open_map)->Finish(
                           [respond, response](const Result<FinishOutcome>& outcome) {
                             respond(RunGuarded([&]() -> Status {
                               if (!outcome.ok()) return outcome.status();

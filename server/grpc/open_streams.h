@@ -5,7 +5,7 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/base/status.h"
-#include "server/app/session/shutting_down.h"
+#include "server/app/open_map/shutting_down.h"
 
 namespace dhpmap {
 

@@ -217,7 +217,7 @@ std::string Metrics::Text(const Gauges& gauges) const {
                                gauges.num_pages_unreadable));
   families.push_back(CounterOf("dhpmap_pages_let_go_total",
                                "Tiles of voxels that were left on the disk again, as there were too many in memory",
-                               gauges.num_pages_let_go));
+                               gauges.num_pages_evicted));
   families.push_back(CounterOf("dhpmap_pages_spilled_total",
                                "Tiles of voxels that frames wrote and that were left in a file beside the database",
                                gauges.num_spilled));

@@ -39,7 +39,7 @@ class Metrics {
     std::uint64_t num_page_hits = 0;         ///< times that one was in memory already
     std::int64_t page_held_bytes = 0;        ///< of what requests under way have read
     std::uint64_t num_pages_unreadable = 0;  ///< tries to read one that failed
-    std::uint64_t num_pages_let_go = 0;      ///< left in the store again, as there were too many
+    std::uint64_t num_pages_evicted = 0;     ///< left in the store again, as there were too many
     std::uint64_t num_spilled = 0;           ///< written to the file for what no store has as it is
     std::uint64_t num_unspilled = 0;         ///< tries to write one that failed
     std::int64_t spill_bytes = 0;            ///< of that file

@@ -12,14 +12,14 @@
 namespace dhpmap {
 
 struct RecorderOptions {
-  bool is_reproducible = false;                                ///< see RecordStart
-  std::function<std::int64_t()> now_ns;                        ///< UTC; empty = the system's clock
-  std::function<void(const std::string& message)> on_stopped;  ///< says why nothing more is recorded; may be empty
+  bool is_reproducible = false;          ///< see RecordStart
+  std::function<std::int64_t()> now_ns;  ///< UTC; empty = the system's clock
+  std::function<void(const std::string& message)>
+      on_stopped;  ///< called with the reason when recording stops; may be empty
 };
 
-/// Begins a file in `dir` for what comes to `map` from now on. Null, with `on_stopped` told why, if that is not
-/// possible. When the folder is full, or cannot be written to, recording stops for good with one more message. `dir`
-/// outlives it.
+/// Starts a file in `dir` with the input of `map` from now on. Null, after calling `on_stopped`, if that fails.
+/// Recording stops for good, with one more message, when the folder is full or cannot be written. `dir` outlives it.
 std::unique_ptr<FrameRecorder> RecordMap(const MapInfo& map, RecordDir& dir, RecorderOptions options);
 
 }  // namespace dhpmap

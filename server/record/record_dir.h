@@ -11,19 +11,19 @@
 
 namespace dhpmap {
 
-/// The folder of a server's records, and how much of it they may take. Thread-safe.
+/// The folder of a server's recordings, and its size limit. Thread-safe.
 class RecordDir {
  public:
-  /// Makes the folder if it is not there.
+  /// Creates the folder if necessary.
   static Result<std::unique_ptr<RecordDir>> Open(const std::string& path, std::int64_t max_bytes);
 
-  /// A new file for what comes to a map. Counts anew what is in the folder: somebody may have taken away old records.
-  /// RESOURCE_EXHAUSTED, and no file, if that is full or has 10,000 records.
+  /// A new file for the input of a map. First rescans the folder, because old recordings may have been deleted.
+  /// RESOURCE_EXHAUSTED, without a file, if it is full or has 10,000 recordings.
   Result<RecordWriter> Begin(const std::string& map, std::int64_t now_ns) DHPMAP_EXCLUDES(mutex_);
-  /// False, and nothing is taken, if that would be more than there may be.
+  /// False, without effect, if that would exceed the limit.
   bool Take(std::size_t num_bytes) DHPMAP_EXCLUDES(mutex_);
 
-  /// Of all records, as far as is known.
+  /// Of all recordings, as far as known.
   [[nodiscard]] std::int64_t num_bytes() const DHPMAP_EXCLUDES(mutex_);
 
  private:

@@ -12,26 +12,25 @@
 
 namespace dhpmap {
 
-/// The links that the bodies or spheres of a request belong to: a name each, or none.
+/// The link of each body or sphere of a request, by name; may be empty.
 struct RequestedLinks {
   const google::protobuf::RepeatedPtrField<std::string>& names;
   const char* field;      ///< "sphere_links"
   std::size_t num_parts;  ///< bodies or spheres
 };
 
-/// What may touch what.
+/// Allowed contacts.
 struct AllowedTouches {
   TouchLists parts;                             ///< by body or sphere
-  std::vector<std::vector<SubmapId>> attached;  ///< of each object that is attached
+  std::vector<std::vector<SubmapId>> attached;  ///< of each attached object
 };
 
-/// So many different lists of what may be touched: each costs a look at all submaps.
+/// Limit of different lists of allowed contacts: each costs a pass over all submaps.
 inline constexpr std::size_t kMostTouchLists = 64;
 
-/// Of options.allowed_collisions and the links of a request. `attached`: objects that the robot carries, none where
-/// there is no robot. INVALID_ARGUMENT for a link that no part has, an object that is not attached, a class that there
-/// is not, other than one of what may be touched, or too much of all that; NOT_FOUND for a submap that is not there.
-/// Each names the field and the first item that is wrong.
+/// From options.allowed_collisions and the links of a request. `attached`: the attached objects; none without a robot.
+/// INVALID_ARGUMENT for an unknown link, an object that is not attached, an unknown class, an entry without exactly one
+/// target, or too many entries; NOT_FOUND for a missing submap. Errors name the field and the first bad item.
 Result<AllowedTouches> AllowedTouchesFromProto(const v1::QueryOptions& options, const RequestedLinks& links,
                                                const std::vector<SubmapId>& attached, const MapSnapshot& map);
 

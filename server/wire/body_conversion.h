@@ -12,27 +12,27 @@
 
 namespace dhpmap {
 
-/// The bodies of a request, packed spheres first. INVALID_ARGUMENT for a list that is cut off, more than `max_bodies`,
-/// or a body without a shape, not finite, of a negative size, or too large; it names the item.
+/// The bodies of a request, packed spheres first. INVALID_ARGUMENT for an incomplete list, more than `max_bodies`, or a
+/// body without a shape, non-finite, of negative size, or too large; names the item.
 Result<std::vector<Body>> BodiesFromProto(const v1::CheckCollisionsRequest& request, std::int64_t max_bodies);
 
-/// How many bodies a request has, if its list is whole.
+/// Number of bodies in a request, if its list is complete.
 std::size_t NumBodies(const v1::CheckCollisionsRequest& request);
 
-/// Which link each body is.
+/// The link of each body.
 RequestedLinks LinksOf(const v1::CheckCollisionsRequest& request);
 
-/// How many contacts of a body are asked for; 0: only whether there is any. INVALID_ARGUMENT for a number out of range
-/// or options that exclude each other.
+/// Requested contacts of a body; 0: only whether there is one. INVALID_ARGUMENT for a number out of range or options
+/// that exclude each other.
 Result<std::size_t> MaxContactsFromProto(const v1::CheckCollisionsRequest& request);
 
-/// What answering takes of memory at most: the bodies, the answer, and the answer as bytes.
+/// Maximum memory of answering: the bodies, the answer, and its bytes.
 std::size_t BytesOfAnswers(const v1::CheckCollisionsRequest& request);
 
-/// Writes answers, body by body, in the form that the request asks for.
+/// Writes answers, body by body, in the requested form.
 class CollisionAnswers {
  public:
-  /// Of the state `map` of a map. The request and the response outlive this.
+  /// For the state `map`. The request and the response outlive this.
   CollisionAnswers(const v1::CheckCollisionsRequest& request, const MapInfo& map,
                    v1::CheckCollisionsResponse& response);
   void Append(const BodyAnswer& answer);

@@ -17,7 +17,7 @@ namespace dhpmap {
 class VoxelChunks {
  public:
   explicit VoxelChunks(VoxelWalk walk) : walk_(std::move(walk)) {}
-  /// Fills the next message, which is empty; false: there is none.
+  /// Fills the next, empty message; false at the end.
   bool Next(v1::StreamSubmapVoxelsResponse& message);
 
  private:
@@ -25,11 +25,11 @@ class VoxelChunks {
   bool has_begun_ = false;
 };
 
-/// A mesh file in the pieces that it is made in.
+/// A mesh file in the pieces of its generation.
 class MeshChunks {
  public:
   explicit MeshChunks(MeshFile file) : file_(std::move(file)) {}
-  /// Fills the next message, which is empty; false: there is none.
+  /// Fills the next, empty message; false at the end.
   bool Next(v1::GetSubmapMeshResponse& message);
 
  private:
@@ -41,7 +41,7 @@ class MeshChunks {
 class FileChunks {
  public:
   explicit FileChunks(std::shared_ptr<StoreBackup> file) : file_(std::move(file)) {}
-  /// Fills the next message, which is empty; false: there is none. Passes on what reading the file answers.
+  /// Fills the next, empty message; false at the end. Returns errors of reading the file.
   Result<bool> Next(v1::BackupMapsResponse& message) { return NextOf(message); }
   Result<bool> Next(v1::ExportMapResponse& message) { return NextOf(message); }
 
@@ -53,8 +53,8 @@ class FileChunks {
   bool has_begun_ = false;
 };
 
-/// INVALID_ARGUMENT for a format or colouring that is not known, or objects named where they cannot be. The submap
-/// comes from the request's name: see ParseObjectName.
+/// INVALID_ARGUMENT for an unknown format or colouring, or objects named where they cannot be. The submap comes from
+/// the request's name: see ParseObjectName.
 Result<MeshRequest> MeshRequestFromProto(const v1::GetSubmapMeshRequest& request, std::optional<SubmapId> submap);
 
 }  // namespace dhpmap

@@ -11,13 +11,13 @@ namespace dhpmap {
 
 v1::QueryStatus::Code StatusToProto(DistanceStatus status);
 
-/// What answering takes of memory at most: the points, the answer, and the answer as bytes.
+/// Maximum memory of answering: the points, the answer, and its bytes.
 std::size_t BytesOfAnswers(const v1::QueryDistancesRequest& request);
 
-/// Writes distances, point by point, in the form that the request asks for.
+/// Writes distances, point by point, in the requested form.
 class DistanceAnswers {
  public:
-  /// Of the state `map` of a map. The response outlives this.
+  /// For the state `map`. The response outlives this.
   DistanceAnswers(const v1::QueryDistancesRequest& request, const MapInfo& map, std::size_t num_points,
                   v1::QueryDistancesResponse& response);
   void Append(const SurfaceDistance& answer);

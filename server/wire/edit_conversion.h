@@ -8,8 +8,8 @@
 
 namespace dhpmap {
 
-/// INVALID_ARGUMENT naming every bad field ("edits[2].split.plane.normal") for names of another map or none, classes
-/// that the label set lacks, poses, regions and planes that are not usable, and edits that say nothing.
+/// INVALID_ARGUMENT naming every bad field ("edits[2].split.plane.normal") for names that are malformed or of another
+/// map, unknown classes, invalid poses, regions and planes, and empty edits.
 Result<EditList> EditListFromProto(const v1::ApplyEditsRequest& request, const std::string& map,
                                    const LabelSet& label_set);
 

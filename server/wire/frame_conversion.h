@@ -9,15 +9,15 @@
 
 namespace dhpmap {
 
-/// A frame as it came over the wire, decoded. INVALID_ARGUMENT, naming every bad field at once, for: a pose that is not
-/// rigid or not finite, both or neither form of pose, no sensor, images of the wrong size or type or that cannot be
-/// decoded, lists of the wrong length, a class id above 65534. What needs the map's label set is left to ValidateFrame.
+/// Decodes a received frame. INVALID_ARGUMENT, naming every bad field at once, for: a pose that is not rigid or not
+/// finite, both or neither form of pose, no sensor, images of the wrong size or type or that cannot be decoded, lists
+/// of the wrong length, a class id above 65534. ValidateFrame checks the rest, against the map's label set.
 Result<PanopticFrame> FrameFromProto(const v1::Frame& frame);
 
-/// What a frame takes of memory once it is decoded, more or less; 0 if its sizes are such that it will be refused.
+/// Approximate memory of a decoded frame; 0 for sizes that will be refused.
 std::size_t DecodedBytes(const v1::Frame& frame);
 
-/// An error of a PanopticFrame with its fields called as in v1.Frame; fields that are called so already stay.
+/// Translates field names in an error of a PanopticFrame to those of v1.Frame; translated names stay.
 Status InWireTerms(const Status& status);
 
 }  // namespace dhpmap

@@ -8,8 +8,8 @@
 
 namespace dhpmap {
 
-/// INVALID_ARGUMENT, naming the field, for a box or resolution that is not usable, or more than 16,000,000 nodes;
-/// errors of QueryOptionsFromProto.
+/// INVALID_ARGUMENT, naming the field, for an invalid box or resolution, or more than 16,000,000 nodes; errors of
+/// QueryOptionsFromProto.
 Result<GridQuestion> GridQuestionFromProto(const v1::QueryDistanceGridRequest& request, const MapSnapshot& map);
 
 /// The nodes of a grid in messages of at most 256 KiB.
@@ -19,7 +19,7 @@ class GridChunks {
       : grid_(std::move(grid)),
         with_gradients_(request.include_gradients()),
         with_objects_(request.include_objects()) {}
-  /// Fills the next message, which is empty; false: there is none.
+  /// Fills the next, empty message; false at the end.
   Result<bool> Next(v1::QueryDistanceGridResponse& message, const std::stop_token& stop);
 
  private:

@@ -12,9 +12,8 @@
 
 namespace dhpmap {
 
-// Images as they come over the wire, raw or as a file, to pixels. Each must be of exactly width * height pixels
-// (1..16384 a side, checked by the caller) and of a type that fits its use; else INVALID_ARGUMENT with a violation of
-// `field` and reason BAD_IMAGE.
+// Decodes images of requests, raw or as a file. Each must have exactly width * height pixels (1..16384 a side, checked
+// by the caller) and a suitable type; else INVALID_ARGUMENT with a violation of `field` and reason BAD_IMAGE.
 
 /// Metres; 0 = no return. Integer depth needs a positive scale_m.
 Result<std::vector<float>> DepthFromProto(const v1::Image& image, int width_px, int height_px, std::string_view field);

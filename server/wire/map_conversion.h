@@ -9,23 +9,22 @@
 
 namespace dhpmap {
 
-/// Overwrites the fields of `config` that are set in `proto`. The fields are found through VisitFields by their keys,
-/// so there is no second list of them. INVALID_ARGUMENT, with violations below "config.", for an unknown enum value.
+/// Overwrites the fields of `config` that are set in `proto`, found by the keys of VisitFields, so there is no second
+/// list of them. INVALID_ARGUMENT, with violations below "config.", for an unknown enum value.
 Status MergeConfig(const v1::MapConfig& proto, MapConfig& config);
 
 /// With every field set.
 v1::MapConfig ToProto(const MapConfig& config);
 
-/// What a request for a new map says; `default_config` is that of a map that names no preset. INVALID_ARGUMENT naming
-/// all bad fields at once.
+/// A new map from a request; `default_config` applies without a preset. INVALID_ARGUMENT naming all bad fields at once.
 Result<MapInfo> InfoFromProto(const v1::CreateMapRequest& request, const MapConfig& default_config);
 
-/// Of the first message of an import.
+/// From the first message of an import.
 ImportRequest ImportRequestFromProto(const v1::ImportMapRequest& request);
 
 v1::Map ToProto(const MapSummary& map);
 v1::MapRevision RevisionToProto(const MapInfo& map);
-/// INVALID_ARGUMENT if the mask names another field than display_name, name and etag.
+/// INVALID_ARGUMENT if the mask names fields other than display_name, name and etag.
 Result<MapPatch> PatchFromProto(const v1::UpdateMapRequest& request);
 v1::GetMapStatsResponse ToProto(const MapReport& report);
 v1::VerifyMapResponse ToProto(const VerifyReport& report);

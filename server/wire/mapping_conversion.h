@@ -5,17 +5,17 @@
 
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/watch_service.pb.h"
-#include "server/app/session/map_session.h"
+#include "server/app/open_map/open_map.h"
 
 namespace dhpmap {
 
-/// How far a stream has got, into any answer of it.
+/// Sets the progress of a stream in any of its answers.
 void SetProgress(const FeedProgress& progress, v1::IntegrateFramesResponse& answer);
 
-/// The answer to message `sequence` of the client, which had no frame.
+/// The answer to the client's message `sequence`, which had no frame.
 v1::IntegrateFramesResponse AnswerOf(std::int64_t sequence, const FeedProgress& progress);
 
-/// The acknowledgement of the frame that the client calls `sequence`.
+/// The acknowledgement of the client's frame `sequence`.
 v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& outcome);
 
 v1::FinishMappingResponse ToProto(const FinishOutcome& outcome);

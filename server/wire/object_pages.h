@@ -10,8 +10,8 @@
 
 namespace dhpmap {
 
-// Keys of pages of matches and relations, and what a page comes after: nothing for the first. INVALID_ARGUMENT for a
-// page token that holds no such key.
+// Page keys of matches and relations, and the position after which a page starts: nothing for the first.
+// INVALID_ARGUMENT for a page token without such a key.
 
 std::string KeyOf(const SubmapMatch& match);
 Result<std::optional<MatchPlace>> MatchFromPage(const Pager& pager);

@@ -10,12 +10,12 @@
 
 namespace dhpmap {
 
-// What fields of QueryOptions have in common: names of submaps and classes, and how errors name the field.
+// Common parts of QueryOptions fields: names of submaps and classes, and names of fields in errors.
 
 inline constexpr int kMostOptionItems = 1000;
 
 Status BadOption(Reason reason, const std::string& field, const std::string& what);
-/// An option that the query has no use for.
+/// The error for an option that the query does not support.
 Status NotTaken(const std::string& field);
 
 /// "list[number]".

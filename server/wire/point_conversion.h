@@ -12,8 +12,8 @@
 
 namespace dhpmap {
 
-/// The points of a request, packed ones first. INVALID_ARGUMENT for a list that is cut off, more than `max_points`, or
-/// a point that is not finite.
+/// The points of a request, packed ones first. INVALID_ARGUMENT for an incomplete list, more than `max_points`, or a
+/// non-finite point.
 Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::RepeatedField<float>& packed_points_m,
                                                      const google::protobuf::RepeatedPtrField<v1::Vector3>& points_m,
                                                      std::int64_t max_points);
@@ -22,13 +22,13 @@ Result<std::vector<Eigen::Vector3d>> PointsFromProto(const Request& request, std
   return PointsFromProto(request.packed_points_m(), request.points_m(), max_points);
 }
 
-/// What answering takes of memory at most: the points, the answer, and the answer as bytes.
+/// Maximum memory of answering: the points, the answer, and its bytes.
 std::size_t BytesOfAnswers(const v1::QueryPointsRequest& request);
 
-/// Writes answers, point by point, in the form that the request asks for.
+/// Writes answers, point by point, in the requested form.
 class PointAnswers {
  public:
-  /// Of the state `map` of a map. The response outlives this.
+  /// For the state `map`. The response outlives this.
   PointAnswers(const v1::QueryPointsRequest& request, const MapInfo& map, std::size_t num_points,
                v1::QueryPointsResponse& response);
   void Append(const PointInfo& point);

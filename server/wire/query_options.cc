@@ -149,11 +149,12 @@ UnknownSpace UnknownSpaceOf(v1::QueryOptions::UnknownPolicy policy) {
 }
 
 /// What is attached, with its pose. `ids` are those of options.attached.
-Result<std::vector<CarriedSubmap>> CarriedFromProto(const v1::QueryOptions& options, const std::vector<SubmapId>& ids) {
-  std::vector<CarriedSubmap> carried;
+Result<std::vector<AttachedSubmap>> CarriedFromProto(const v1::QueryOptions& options,
+                                                     const std::vector<SubmapId>& ids) {
+  std::vector<AttachedSubmap> carried;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const int item = static_cast<int>(i);
-    CarriedSubmap& one = carried.emplace_back(CarriedSubmap{.submap = ids[i], .may_touch = {}});
+    AttachedSubmap& one = carried.emplace_back(AttachedSubmap{.submap = ids[i], .may_touch = {}});
     DHPMAP_ASSIGN_OR_RETURN(one.T_robot_submap,
                             TransformFromProto(options.attached(item).robot_from_submap(),
                                                ItemOfOption("options.attached", item) + ".robot_from_submap"));

@@ -9,20 +9,20 @@
 
 namespace dhpmap {
 
-/// Queried points lie within kReach_m of the origin. Grids and slices have a resolution between the other two.
+/// Limits: distance of query points from the origin, and the resolution of grids and slices.
 inline constexpr double kReach_m = 1e6, kLeastResolution_m = 0.001, kMostResolution_m = 100;
 
-/// Options that have no meaning for some queries. One that is set and not taken is INVALID_ARGUMENT. All queries take
-/// what is excluded or absent, classes, the frame, max_distance_m, min_revision, and unknown space as REPORT or FREE.
+/// Options that only some queries support; INVALID_ARGUMENT if one is set elsewhere. All queries support exclusions,
+/// absent objects, classes, the frame, max_distance_m, min_revision, and unknown space as REPORT or FREE.
 struct TakenOptions {
   bool padding = false;
-  bool attached = false;  ///< leaves the world
+  bool attached = false;  ///< attached objects leave the world
   bool max_age = false;
   bool vacated = false;
-  bool occupied = false;   ///< unknown space may be
+  bool occupied = false;   ///< unknown space may be OCCUPIED
   bool tolerance = false;  ///< of distances
-  bool allowed = false;    ///< collisions may be
-  bool carries = false;    ///< there is a robot: poses of what is attached, and what that may touch
+  bool allowed = false;    ///< allowed collisions
+  bool carries = false;    ///< there is a robot: poses and allowed collisions of attached objects
 };
 inline constexpr TakenOptions kDistanceOptions{
     .padding = true, .attached = true, .max_age = true, .vacated = true, .tolerance = true};
@@ -37,15 +37,14 @@ inline constexpr TakenOptions kTrajectoryOptions{.padding = true,
                                                  .allowed = true,
                                                  .carries = true};
 
-/// What a request's options mean for a state of a map. INVALID_ARGUMENT for a distance, pose, name, policy or length of
-/// a list that is not usable, or an option that is not taken; NOT_FOUND for a submap that is not there; each names the
-/// field, "options.map_from_query", and of a list the first item that is wrong.
+/// A request's options for a state of a map. INVALID_ARGUMENT for an invalid distance, pose, name, policy or length of
+/// a list, or an unsupported option; NOT_FOUND for a missing submap. Errors name the field, "options.map_from_query",
+/// and the first bad item of a list.
 Result<DistanceQuestion> QueryOptionsFromProto(const v1::QueryOptions& options, const MapSnapshot& map,
                                                TakenOptions taken = {});
-/// Of queries that take the frame and min_revision alone: p_map = T_map_query * p_query.
+/// For queries that support only the frame and min_revision: p_map = T_map_query * p_query.
 Result<Transform> FrameOptionsFromProto(const v1::QueryOptions& options);
-/// The same for checks of bodies or motions, for which unknown space is occupied unless they say otherwise.
-/// `links`: which its bodies or spheres belong to.
+/// The same for checks of bodies or motions, with unknown space OCCUPIED by default. `links`: of its bodies or spheres.
 Result<CheckQuestion> CheckOptionsFromProto(const v1::QueryOptions& options, const RequestedLinks& links,
                                             const MapSnapshot& map, TakenOptions taken);
 

@@ -11,20 +11,20 @@
 
 namespace dhpmap {
 
-/// The rays of a request, packed ones first, their directions made unit. INVALID_ARGUMENT for lists that are cut off or
-/// do not go together, more than `max_rays`, or a ray that is not finite or has no direction.
+/// The rays of a request, packed ones first, with normalised directions. INVALID_ARGUMENT for incomplete or mismatched
+/// lists, more than `max_rays`, or a ray that is not finite or has no direction.
 Result<std::vector<Ray>> RaysFromProto(const v1::CastRaysRequest& request, std::int64_t max_rays);
 
-/// How many rays a request has, if its lists go together.
+/// Number of rays in a request, if its lists match.
 std::size_t NumRays(const v1::CastRaysRequest& request);
 
-/// What answering takes of memory at most: the rays, the answer, and the answer as bytes.
+/// Maximum memory of answering: the rays, the answer, and its bytes.
 std::size_t BytesOfAnswers(const v1::CastRaysRequest& request);
 
-/// Writes what rays meet, ray by ray, in the form that the request asks for.
+/// Writes hits, ray by ray, in the requested form.
 class RayAnswers {
  public:
-  /// Of the state `map` of a map. The response outlives this.
+  /// For the state `map`. The request and the response outlive this.
   RayAnswers(const v1::CastRaysRequest& request, const MapInfo& map, v1::CastRaysResponse& response);
   void Append(const RayHit& hit);
 

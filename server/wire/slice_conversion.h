@@ -8,11 +8,11 @@
 
 namespace dhpmap {
 
-/// INVALID_ARGUMENT, naming the field, for a band, area, resolution, share, format or path that is not usable; errors
-/// of QueryOptionsFromProto.
+/// INVALID_ARGUMENT, naming the field, for an invalid band, area, resolution, fraction, format or path; errors of
+/// QueryOptionsFromProto.
 Result<SliceRequest> SliceRequestFromProto(const v1::QueryOccupancySliceRequest& request, const MapSnapshot& map);
 
-/// What answering takes of memory at most, if the request says how many cells there are: else of the most there may be.
+/// Maximum memory of answering, for the cells of the request if it specifies them, else for the limit.
 std::size_t BytesOfAnswers(const v1::QueryOccupancySliceRequest& request);
 
 void ToProto(const SliceRequest& request, const MapInfo& map, SliceAnswer answer,

@@ -111,7 +111,7 @@ RequestedLinks LinksOf(const v1::CheckTrajectoryRequest& request) {
 }
 
 Result<RequestedMotions> RequestedMotions::Make(const v1::CheckTrajectoryRequest& request,
-                                                const std::vector<CarriedSubmap>& attached, std::int64_t max_spheres) {
+                                                const std::vector<AttachedSubmap>& attached, std::int64_t max_spheres) {
   if (const auto num_spheres = static_cast<std::int64_t>(NumSpheres(request)); num_spheres > max_spheres) {
     return BadMotion(
         request.packed_spheres_m_size() > 0 ? "packed_spheres_m" : "trajectories",
@@ -160,7 +160,7 @@ RobotMotion RequestedMotions::Rigid(std::size_t number) const {
   for (const v1::Pose& waypoint : request_.trajectories(static_cast<int>(number)).waypoints()) {
     motion.waypoints.push_back(*TransformFromProto(waypoint, "waypoint"));
   }
-  for (const CarriedSubmap& carried : attached_) {
+  for (const AttachedSubmap& carried : attached_) {
     auto& poses = motion.attached.emplace_back();
     for (const Transform& T : motion.waypoints) poses.push_back(T * carried.T_robot_submap);
   }

@@ -12,26 +12,26 @@
 
 namespace dhpmap {
 
-/// A row of tiles whose blob cannot be read.
+/// A row of tiles with an unreadable blob.
 struct BadTile {
   std::int64_t owner_key = 0;
   TileIndex index;
   std::int64_t layer = 0;
 };
 
-/// What VerifyRows found, and what to leave out so that the rest can be read.
+/// Result of VerifyRows, and the data to drop so that the rest can be read.
 struct Verification {
   VerifyReport report;
-  bool is_map_row_bad = false;              ///< nothing can be trusted
-  std::vector<std::int64_t> bad_submaps;    ///< keys of submaps whose rows cannot be read
-  std::vector<std::int64_t> wrong_submaps;  ///< keys of those whose rows do not say what their tiles are
+  bool is_map_row_bad = false;              ///< no data can be trusted
+  std::vector<std::int64_t> bad_submaps;    ///< keys of submaps with unreadable rows
+  std::vector<std::int64_t> wrong_submaps;  ///< keys of submaps with wrong counts or sums of tiles
   std::vector<BadTile> bad_tiles;
-  bool is_number_wrong = false;      ///< that of its submaps
-  bool are_own_tiles_wrong = false;  ///< those of the map itself
+  bool is_number_wrong = false;      ///< wrong number of submaps
+  bool are_own_tiles_wrong = false;  ///< wrong count or sum of the map's own tiles
   bool are_references_wrong = false;
   BadHistory history;
 
-  /// Whether the map is another than what was stored, and not just its histories or what is counted of blobs.
+  /// Whether the map itself differs from the stored state, not merely its histories or reference counts.
   [[nodiscard]] bool IsStateWrong() const {
     return is_number_wrong || are_own_tiles_wrong ||
            !(bad_submaps.empty() && wrong_submaps.empty() && bad_tiles.empty());
@@ -40,19 +40,18 @@ struct Verification {
 
 enum class VerifyScope {
   kAll,
-  kState,  ///< not what commits changed, the edits, and what undoes them
+  kState,  ///< without changes, edits and undo data
 };
 
-/// Looks through a map within the caller's transaction, tile by tile: needs little memory, and as long as loading it
-/// and what undoes its edits.
-/// NOT_FOUND, CANCELLED; FAILED_PRECONDITION, reason NEWER_LAYER or NEWER_CONFIG, for a map of a later version.
+/// Verifies a map within the caller's transaction, tile by tile: little memory, and as long as loading it and its undo
+/// data. NOT_FOUND, CANCELLED; FAILED_PRECONDITION, reason NEWER_LAYER, NEWER_CONFIG or RETIRED_CONFIG, for a map of
+/// another version.
 Result<Verification> VerifyRows(sqlite::Database& database, const std::string& name, VerifyScope scope,
                                 const std::stop_token& stop);
 
-/// Within the caller's transaction: drops what cannot be read, of a map that was not written since, and has rows say
-/// what is left, as a new revision: who follows it lists it again. Edits that can be read stay in their log; what
-/// undoes them, too, unless the state is wrong. What belongs to no map, whoever's it was, goes. DATA_LOSS if the map's
-/// own row is damaged: then there is nothing to go by.
+/// Within the caller's transaction: drops unreadable data of a map that was not written since, and updates rows to the
+/// rest, as a new revision; watchers list it again. Readable edits stay in the log, and their undo data unless the
+/// state is wrong. Data that belong to no map are deleted. DATA_LOSS if the map's own row is damaged.
 Status RepairRows(sqlite::Database& database, const std::string& name, Verification& found);
 
 }  // namespace dhpmap

@@ -12,25 +12,24 @@
 
 namespace dhpmap {
 
-// What a map's commits changed, the log of its edits, and what undoes them: the map is whole without these.
+// Changes of a map's commits, the log of its edits, and undo data: the map is complete without them.
 
-/// Hears of each fault, as MapFault has it.
+/// Called for each fault, as in MapFault.
 using FaultSink = std::function<void(MapFault::Kind kind, std::string place, std::string what)>;
 
-/// Of a map's histories, what cannot be kept.
+/// Parts of a map's histories that cannot be kept.
 struct BadHistory {
-  std::vector<std::int64_t> edits;  ///< keys of those whose rows cannot be read; what undoes them goes with them
+  std::vector<std::int64_t> edits;  ///< keys of edits with unreadable rows; their undo data go as well
   std::vector<std::int64_t> undos;  ///< keys of edits that cannot be undone
 };
 
-/// Looks through all of them within the caller's transaction, row by row. `check_stop` is called for each row, and ends
-/// it with its error. FAILED_PRECONDITION for what a later version wrote.
+/// Verifies all of them within the caller's transaction, row by row. An error of `check_stop`, called for each row,
+/// ends it. FAILED_PRECONDITION for data of a later version.
 Result<BadHistory> VerifyHistory(sqlite::Database& database, const MapRow& map,
                                  const std::function<Status()>& check_stop, const FaultSink& fault);
 
-/// Within the caller's transaction: drops what cannot be kept of the log and counts the rest anew. Where the state has
-/// become another than the edits made (`is_state_changed`), nothing of what undoes them is kept: the log tells still
-/// what was done, and requests that are repeated find their answers.
+/// Within the caller's transaction: drops bad parts of the log and recounts the rest. If the state was changed other
+/// than by edits (`is_state_changed`), all undo data are dropped; log and answers to repeated requests stay.
 Status RepairHistory(sqlite::Database& database, std::int64_t map_key, const BadHistory& bad, bool is_state_changed);
 
 }  // namespace dhpmap

@@ -10,19 +10,19 @@
 
 namespace dhpmap {
 
-// A tile made of the blobs of its blocks, as they were when each was a row of its own (schemas 1 to 6): what a database
-// of those days is brought up to date with, good and damaged ones alike, without decoding any.
+// A tile made of the unchanged blobs of its blocks, each of which was a row in schemas 1 to 6. Migrates such a database
+// without decoding blobs, intact or damaged.
 
-/// A blob, and the cell of its block in the tile.
+/// A blob, and its block's cell in the tile.
 struct BundledBlob {
   int cell = 0;
   Bytes blob;
 };
 
-/// `blobs` by ascending cell, of which there are some. `kind`: one of the kinds of tiles of blobs of blocks.
+/// `blobs`: not empty, by ascending cell. `kind`: a kind for bundles.
 Bytes EncodeBundle(BlobKind kind, const std::vector<BundledBlob>& blobs, TileIndex index);
 
-/// The blobs as they were. Errors as Unseal; those inside are not looked at.
+/// The blobs, unchanged and not verified. Errors as Unseal.
 Status DecodeBundle(BlobKind kind, ByteView blob, TileIndex index, std::vector<BundledBlob>& blobs);
 
 }  // namespace dhpmap

@@ -12,7 +12,7 @@ namespace dhpmap {
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 
-/// Appends little-endian values to a buffer, on every machine the same bytes.
+/// Appends little-endian values to a buffer; the same bytes on every machine.
 class ByteWriter {
  public:
   explicit ByteWriter(Bytes& bytes) : bytes_(bytes) {}
@@ -39,7 +39,8 @@ class ByteWriter {
   Bytes& bytes_;
 };
 
-/// Reads what a ByteWriter wrote. Past the end, or at a varint of more than 64 bits, it gives zeros and turns !ok().
+/// Reads the output of a ByteWriter. Past the end, or at a varint of more than 64 bits, it returns zeros and sets
+/// !ok().
 class ByteReader {
  public:
   explicit ByteReader(ByteView bytes) : bytes_(bytes) {}

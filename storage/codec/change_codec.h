@@ -7,11 +7,11 @@
 
 namespace dhpmap {
 
-/// What a commit changed, as bytes; see FORMAT.md. Exact.
+/// The change of a commit, as bytes; see FORMAT.md. Exact.
 Bytes EncodeChange(const MapChange& change);
 
-/// `change` has the revisions and the time that the blob belongs to. DATA_LOSS for anything EncodeChange did not make
-/// for that last revision, FAILED_PRECONDITION for a blob of a later version. Messages go on after "it".
+/// `change` has the revisions and the time of the blob. DATA_LOSS for anything that EncodeChange did not write for that
+/// last revision, FAILED_PRECONDITION for a blob of a later version. Messages continue after "it".
 Status DecodeChange(ByteView blob, MapChange& change);
 
 }  // namespace dhpmap

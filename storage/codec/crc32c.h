@@ -6,9 +6,9 @@
 
 namespace dhpmap {
 
-/// CRC-32C (Castagnoli polynomial) of `bytes`, going on from `crc`, the checksum of what came before (0 at the start).
+/// CRC-32C (Castagnoli polynomial) of `bytes`, continuing from `crc`, the checksum of preceding bytes (0 at the start).
 std::uint32_t Crc32c(std::span<const std::uint8_t> bytes, std::uint32_t crc = 0);
-/// The same as a machine without an instruction for it has it, at a fifth of the speed; for tests.
+/// The same without CPU support, at a fifth of the speed; for tests.
 std::uint32_t Crc32cByTables(std::span<const std::uint8_t> bytes, std::uint32_t crc = 0);
 
 }  // namespace dhpmap

@@ -8,16 +8,16 @@
 
 namespace dhpmap {
 
-// What an edit of the log did, and what it takes to undo it, as blobs. See FORMAT.md.
+// Blobs of the edit log and of undo data. See FORMAT.md.
 
-/// All of `entry.summary` but its kind, which is a column. Sealed for the entry's revision.
+/// All of `entry.summary` except its kind, which is a column. Sealed for the entry's revision.
 Bytes EncodeEditSummary(const EditEntry& entry);
-/// Fills that. `entry` has the revision. Errors as Unseal.
+/// Inverse of EncodeEditSummary; `entry` has the revision. Errors as Unseal.
 Status DecodeEditSummary(ByteView blob, EditEntry& entry);
 
-/// All of a delta but its tiles. Sealed for the revision of the edit.
+/// All of a delta except its tiles. Sealed for the revision of the edit.
 Bytes EncodeEditRows(const StateDelta& delta, std::int64_t revision);
-/// Fills that. Errors as Unseal.
+/// Inverse of EncodeEditRows. Errors as Unseal.
 Status DecodeEditRows(ByteView blob, std::int64_t revision, StateDelta& delta);
 
 }  // namespace dhpmap

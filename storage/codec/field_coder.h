@@ -15,8 +15,7 @@
 
 namespace dhpmap {
 
-// One function for both ways, so that they cannot differ: a Coder is a FieldWriter or a
-// FieldReader.
+// One function for both directions, so that they cannot differ: a Coder is a FieldWriter or a FieldReader.
 
 class FieldWriter {
  public:
@@ -33,7 +32,7 @@ class FieldWriter {
   void Do(const double& value) { out_.PutF64(value); }
   void Do(const float& value) { out_.PutF32(value); }
   void Do(const std::string& text) { out_.PutText(text); }
-  /// Of a list: how many. Each takes `least_bytes` or more.
+  /// Length of a list; each entry takes at least `least_bytes`.
   template <typename Item>
   void DoSize(const std::vector<Item>& list, std::size_t /*least_bytes*/) {
     out_.PutVarint(list.size());
@@ -51,7 +50,7 @@ class FieldReader {
   explicit FieldReader(ByteView bytes) : in_(bytes) {}
 
   [[nodiscard]] bool IsAtGoodEnd() const { return good_ && in_.ok() && in_.remaining() == 0; }
-  /// What was read makes no sense together.
+  /// Marks values that are read but inconsistent.
   void Refuse() { good_ = false; }
 
   template <typename Int>
@@ -71,7 +70,7 @@ class FieldReader {
     const ByteView view = in_.GetBytes(in_.GetVarint());
     text.assign(view.begin(), view.end());
   }
-  /// No length that is not there asks for memory.
+  /// Checks the length against the remaining bytes before allocating.
   template <typename Item>
   void DoSize(std::vector<Item>& list, std::size_t least_bytes) {
     const std::uint64_t size = in_.GetVarint();
@@ -84,7 +83,7 @@ class FieldReader {
   bool good_ = true;
 };
 
-/// Says first whether there is one.
+/// A presence flag, then the value.
 template <typename Coder, typename Optional, typename Visit>
 void DoOptional(Coder& coder, Optional& value, Visit&& visit) {
   bool has_value = value.has_value();
@@ -120,7 +119,7 @@ void DoRegion(Coder& coder, AnyRegion& region) {
   }
 }
 
-/// Of the doubles of a row alone: pose, voxel size, truncation.
+/// Minimum size of a row, from its doubles: pose, voxel size, truncation.
 inline constexpr std::size_t kLeastInfo_bytes = sizeof(double) * (12 + 2);
 
 template <typename Coder, typename Value>
@@ -165,7 +164,7 @@ void DoField(Coder& coder, AllSightings& sightings) {
   }
 }
 
-/// The fields of a SubmapInfo that rows have since one of these versions of their checksum, both of them included.
+/// The fields of a SubmapInfo covered since one of these checksum versions, both included.
 template <typename Coder, typename Info>
 void DoFields(Coder& coder, int first, int last, Info& info) {
   VisitSubmapFields([&](const auto& field) {
@@ -173,7 +172,7 @@ void DoFields(Coder& coder, int first, int last, Info& info) {
   });
 }
 
-/// A SubmapInfo as schema 7 had it. What is new in a row comes after it (DoFields), with a kind of blob that has it.
+/// A SubmapInfo as of schema 7. Later fields follow (DoFields), in kinds of blobs that have them.
 template <typename Coder, typename Info>
 void DoInfo(Coder& coder, Info& info) {
   constexpr int kVersionOfSchema7 = 3;

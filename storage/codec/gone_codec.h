@@ -8,14 +8,14 @@
 
 namespace dhpmap {
 
-/// What was looked through of a tile's blocks, of which there are some, as a blob, see FORMAT.md. Equal blocks give
-/// equal bytes. None is empty. Thread-safe.
+/// The gone layer of a tile's blocks as a blob, see FORMAT.md. At least one block, none empty. Equal blocks give equal
+/// bytes. Thread-safe.
 Bytes EncodeGoneTile(const LayerBlocks<GoneBlock>& blocks, TileIndex index);
 
-/// Fills `blocks`, whatever they were, exactly as they were encoded. Errors as Unseal.
+/// Exact inverse; overwrites `blocks`. Errors as Unseal.
 Status DecodeGoneTile(ByteView blob, TileIndex index, LayerBlocks<GoneBlock>& blocks);
 
-// One block, as schemas 5 and 6 stored it: with the same promises.
+// One block, as in schemas 5 and 6: the same guarantees.
 Bytes EncodeGoneBlock(const GoneBlock& block, BlockIndex index);
 Status DecodeGoneBlock(ByteView blob, BlockIndex index, GoneBlock& block);
 

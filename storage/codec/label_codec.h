@@ -8,15 +8,14 @@
 
 namespace dhpmap {
 
-/// Encodes the labels of a tile's blocks, of which there are some, without loss, and the same counts always as the same
-/// bytes. Id 0 of an instance list stays "the submap that holds this voxel". `index` goes into the checksum.
-/// Thread-safe.
+/// Encodes the labels of a tile's blocks (at least one) without loss; equal counts give equal bytes. Id 0 of an
+/// instance list means "the submap that holds this voxel". The checksum covers `index`. Thread-safe.
 Bytes EncodeLabelTile(const LayerBlocks<LabelBlock>& blocks, TileIndex index);
 
-/// Fills `blocks`, whatever they were. Errors as Unseal.
+/// Inverse; overwrites `blocks`. Errors as Unseal.
 Status DecodeLabelTile(ByteView blob, TileIndex index, LayerBlocks<LabelBlock>& blocks);
 
-// One block, as schemas 1 to 6 stored it: with the same promises.
+// One block, as in schemas 1 to 6: the same guarantees.
 Bytes EncodeLabelBlock(const LabelBlock& block, BlockIndex index);
 Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block);
 

@@ -13,7 +13,7 @@
 
 namespace dhpmap {
 
-/// Which voxels of a block are written. One bit a voxel, the lowest first.
+/// Mask of the written voxels of a block: one bit a voxel, lowest first.
 using VoxelBits = std::array<std::uint8_t, kBlockVoxels / 8>;
 
 inline void MaskVoxel(VoxelBits& mask, int linear) {
@@ -33,8 +33,8 @@ inline std::size_t NumMasked(ByteView mask) {
   return count;
 }
 
-/// Walks the masked voxels in order and predicts each value from those before it, for the writer and the reader alike:
-/// what is stored are the small differences. Values live in a grid with a border, so that neighbours need no checks.
+/// Visits the masked voxels in order and predicts each value from earlier ones, for writer and reader alike; the
+/// differences are stored. Values live in a grid with a border, so that neighbours need no bounds checks.
 class VoxelWalk {
  public:
   static constexpr int kGridSide = kBlockSide + 1;
@@ -46,24 +46,24 @@ class VoxelWalk {
 
   struct Site {
     std::uint16_t linear;  ///< voxel in its block
-    std::uint16_t cell;    ///< its place in a Grid
-    std::uint16_t near;    ///< place of the masked neighbour below in x, else y, else z, else of the site before
+    std::uint16_t cell;    ///< its position in a Grid
+    std::uint16_t near;    ///< position of the masked lower neighbour in x, else y, else z, else of the previous site
     std::uint8_t faces;    ///< bits xy, xz, yz: the three lower neighbours in that plane are all masked
   };
 
   explicit VoxelWalk(const VoxelBits& mask);
   [[nodiscard]] std::span<const Site> sites() const { return {sites_.data(), num_sites_}; }
 
-  /// One of a few grids of the calling thread, to be walked once. Its border holds zeros, everything else what whoever
-  /// had it last has left there: no prediction looks at a value that this walk has not written. A grid of its own for
-  /// each walk would have to be cleared, which takes longer than to read the 200 voxels that most blocks have.
+  /// A reusable grid of the calling thread, for one walk. Its border holds zeros, everything else stale values:
+  /// predictions only read values written by this walk. Clearing a new grid for each walk would take longer than
+  /// reading the 200 voxels of a typical block.
   enum class Scratch : std::uint8_t { kFirst, kSecond };
   static Grid& GridOfThread(Scratch which = Scratch::kFirst);
 
   /// For values with noise: the nearest value.
   static std::int32_t PredictNear(const Grid& grid, const Site& site) { return grid[site.near]; }
-  /// For smooth values: the mean of the parallelograms that the masked neighbours span (Lorenzo predictor).
-  /// `Value`: a number, or several that add up one by one, with a Quotient(sum, count).
+  /// For smooth values: the mean of the parallelograms that the masked neighbours span (Lorenzo predictor). `Value`: a
+  /// number, or a vector of numbers with a Quotient(sum, count).
   template <typename Value>
   static Value PredictSmooth(const GridOf<Value>& grid, const Site& site);
 
@@ -90,7 +90,7 @@ Value VoxelWalk::PredictSmooth(const GridOf<Value>& grid, const Site& site) {
   return count == 1 ? sum : Quotient(sum, count);
 }
 
-// Differences of either sign as small unsigned numbers; undone exactly, modulo 2^32.
+// Maps signed differences to small unsigned numbers; exactly invertible, modulo 2^32.
 constexpr std::uint32_t ZigZag(std::int32_t value) {
   return (static_cast<std::uint32_t>(value) << 1) ^ static_cast<std::uint32_t>(value >> 31);
 }

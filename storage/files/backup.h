@@ -11,21 +11,21 @@
 
 namespace dhpmap {
 
-/// Writes one state of the database to a new file, whatever commits meanwhile, in time that grows with the size.
-/// ALREADY_EXISTS if there is a file at `path`, INVALID_ARGUMENT if there is no such folder, CANCELLED; then, and on
-/// every other error, nothing is left at `path`.
+/// Writes one state of the database to a new file, in time linear in its size, while commits continue. ALREADY_EXISTS
+/// if there is a file at `path`, INVALID_ARGUMENT if its folder does not exist, CANCELLED. After any error there is no
+/// file at `path`.
 Status WriteBackup(sqlite::Database& database, const std::string& path, const std::stop_token& stop);
 
-/// A backup of the database at `path`, in a file beside it that has no name any more, so it goes when it was read.
+/// A backup of the database at `path`, in an unlinked file of the same folder, which disappears once it is read.
 Result<std::unique_ptr<StoreBackup>> MakeBackup(sqlite::Database& database, const std::string& path,
                                                 const std::stop_token& stop);
 
-/// A place for a file beside the database at `path`, which no other call gets.
+/// A unique file name next to the database at `path`.
 std::string UnfinishedPath(const std::string& path);
-/// The file at `place`, which loses its name.
+/// Opens the file at `place` and unlinks it.
 Result<std::unique_ptr<StoreBackup>> OpenOnce(const std::string& place);
 
-/// Removes what a process that was killed has left in such places. For the only writer of the database at `path`.
+/// Removes such files left by killed processes. Only for the single writer of the database at `path`.
 void RemoveUnfinishedBackups(const std::string& path);
 
 }  // namespace dhpmap

@@ -8,18 +8,18 @@
 
 namespace dhpmap {
 
-/// The right of one store at a time, in any process, to write a database. Held as two locks of the operating system, so
-/// it ends with its process, however that ends: one on the database file, which holds whatever name it is opened by,
-/// and one on "<database>-lock", where a holder leaves its process id for the message to the next one.
+/// Exclusive right of one store, over all processes, to write a database. Consists of two locks of the operating
+/// system, which end with the process: one on the database file, under any of its names, and one on "<database>-lock",
+/// which holds the process id for the message to others.
 ///
-/// Closing any descriptor of the database drops the locks that SQLite has on it in this process. So the lock must
-/// outlive all connections of its store, and a file that is locked in this process is never opened a second time.
-/// Movable; released at the end of life.
+/// Closing any descriptor of the database drops SQLite's own locks on it in this process. So this lock must outlive all
+/// connections of its store, and a file that is locked in this process is never opened a second time. Movable; the
+/// destructor releases it.
 class FileLock {
  public:
-  /// Makes an empty file if there is none. FAILED_PRECONDITION, by reason: DATABASE_IN_USE, naming the process where it
-  /// is known, if another store holds it; NOT_WRITABLE if the lock file cannot be written; NOT_A_FILE. NOT_FOUND if its
-  /// folder is not there.
+  /// Creates an empty file if there is none. FAILED_PRECONDITION, by reason: DATABASE_IN_USE, naming the process if
+  /// known, if another store holds it; NOT_WRITABLE if the lock file cannot be written; NOT_A_FILE. NOT_FOUND if its
+  /// folder does not exist.
   static Result<FileLock> Acquire(const std::string& database_path);
 
   FileLock(FileLock&& other) noexcept

@@ -14,20 +14,20 @@
 
 namespace dhpmap {
 
-/// What an import needs of the store that it is for.
+/// Access of an import to its store.
 struct ImportTarget {
-  /// Runs its argument as one transaction of the writer, in its turn even where commits follow upon each other.
+  /// Runs its argument as one transaction of the writer, in its turn even under continuous commits.
   std::function<Status(Durability, const std::function<Status(sqlite::Database&)>&)> write;
   KeptBlobs& kept;  ///< outlives the import
 };
 
-/// Of a blob that was brought: so that rows which refer to it are written without reading the file again.
+/// Sizes of a copied blob, so that rows can be written without reading the file again.
 struct BroughtSize {
   std::uint32_t num_blocks = 0, bytes = 0;
 };
 
-/// Takes the map of a file over into a database: first its blobs, in steps between which commits go on, then its rows,
-/// which refer to them, in one transaction. What is not finished leaves blobs that are collected. Thread-compatible.
+/// Copies the map of a file into a database: first its blobs, in steps between commits, then its rows in one
+/// transaction. An unfinished copy leaves only blobs that will be collected. Thread-compatible.
 class MapCopy {
  public:
   MapCopy(MapFile file, ImportTarget target) : file_(std::move(file)), target_(std::move(target)) {}
@@ -35,9 +35,9 @@ class MapCopy {
   MapCopy(const MapCopy&) = delete;
   MapCopy& operator=(const MapCopy&) = delete;
 
-  /// Once. As fast as the disk; needs the memory of a step, and 20 bytes a blob. CANCELLED.
+  /// Call once. Limited by the disk; needs memory for a step, and 20 bytes a blob. CANCELLED.
   Status BringBlobs(const std::stop_token& stop);
-  /// Once, after that; in full, under `name` and with a new history. ALREADY_EXISTS.
+  /// Call once, afterwards; adds the whole map under `name`, with a new history. ALREADY_EXISTS.
   Status AddRows(const std::string& name);
 
  private:
@@ -48,9 +48,9 @@ class MapCopy {
 
   MapFile file_;
   const ImportTarget target_;
-  std::vector<std::int64_t> blobs_;  ///< keys in the file of the blobs that the map refers to, ascending
-  std::vector<BroughtSize> sizes_;   ///< of the same, once they are brought
-  std::optional<BlobRange> keys_;    ///< of the same in the database, in the same order; kept there
+  std::vector<std::int64_t> blobs_;  ///< keys, in the file, of the blobs that the map refers to; ascending
+  std::vector<BroughtSize> sizes_;   ///< their sizes, once copied
+  std::optional<BlobRange> keys_;    ///< their keys in the database, in the same order; protected from collection
 };
 
 }  // namespace dhpmap

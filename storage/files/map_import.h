@@ -9,7 +9,7 @@
 
 namespace dhpmap {
 
-/// An import into the database at `path`; what has come in lies in a file beside it.
+/// An import into the database at `path`; the received data lie in a file next to it.
 Result<std::unique_ptr<MapImport>> BeginMapImport(const std::string& path, ImportTarget target);
 
 }  // namespace dhpmap

@@ -14,9 +14,9 @@
 
 namespace dhpmap {
 
-// What a map's commits changed, as far back as the limits say; see MapStore::ListChanges.
+// The changes of a map's commits, as far back as the limits allow; see MapStore::ListChanges.
 
-/// How much is kept of one map's changes.
+/// Amount of kept changes of one map.
 struct ChangeTotals {
   std::int64_t num_changes = 0;
   std::int64_t num_bytes = 0;
@@ -24,23 +24,23 @@ struct ChangeTotals {
 
 // Ages are by SeenClock.
 
-/// Whether the oldest change, of the time `oldest_ns`, is beyond the limits at the time `now_ns`.
+/// Whether the oldest change, made at `oldest_ns`, exceeds the limits at `now_ns`.
 bool IsBeyond(const ChangeHistoryLimits& limits, const ChangeTotals& totals, std::int64_t oldest_ns,
               std::int64_t now_ns);
 
-/// What is answered for changes that are not kept any more, or never were.
+/// The error for changes that are not kept or never existed.
 Status ChangesNotKept(std::int64_t complete_after);
 
-/// Writes what a commit changed, within its transaction, and deletes some of what is beyond the limits then: of a long
-/// past more than one commit's part, so that none takes long. A log that is damaged, or of another history, begins
-/// anew. `info`: of the state after.
+/// Writes the change of a commit, within its transaction, and trims the history: of a large excess only a few more rows
+/// than a commit adds, so that no commit takes long. A damaged log, or one of another history, starts anew. `info`: of
+/// the later state.
 Status RecordChange(sqlite::Database& database, std::int64_t map_key, const MapInfo& info, const MapChange& change,
                     std::int64_t now_ns, const ChangeHistoryLimits& limits);
 
-/// Of a map that became another state than its commits made it: whoever follows it has to list it again.
+/// For a map whose state was changed other than by commits (repair): watchers must list it again.
 Status ForgetChanges(sqlite::Database& database, std::int64_t map_key);
 
-/// See MapStore::ListChanges. `map` is its row as it is now.
+/// See MapStore::ListChanges. `map` is its present row.
 Result<ChangeList> ReadChanges(sqlite::Database& database, const MapRow& map, std::int64_t after_revision,
                                std::size_t max_bytes);
 

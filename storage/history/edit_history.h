@@ -11,26 +11,26 @@
 
 namespace dhpmap {
 
-// What it takes to undo an edit: rows as blobs, tiles as references to blobs. As long as it is kept, so are these.
+// Undo data of edits: rows as blobs, tiles as references to blobs, which they keep alive.
 
 inline constexpr std::int64_t kMapsOwnTiles = -1;       ///< column edit_tiles.submap_id
-inline constexpr std::int64_t kMostTilesTrimmed = 256;  ///< rows of edit_tiles, with one edit
+inline constexpr std::int64_t kMostTilesTrimmed = 256;  ///< rows of edit_tiles deleted by one edit
 
-/// Notes which blobs the tiles were before an edit and are after it, within the edit's transaction. One for each edit.
+/// Records the blobs of tiles before and after an edit, within the edit's transaction. One for each edit.
 class EditTileRecorder {
  public:
   static Result<EditTileRecorder> Prepare(sqlite::Database& database, std::int64_t edit_key);
 
-  /// Before a row of tiles is changed, from one blob to another; a key of 0: there was none, or will be.
+  /// Call before a row of tiles changes from one blob to another; key 0: no row.
   Status Note(std::int64_t submap_id, TileIndex index, std::int64_t layer, const StoredBlob& before,
               const StoredBlob& after);
-  /// All rows of an owner that is new, once they are there, with the bytes of their blobs. `is_counted`: these count
-  /// one more already that refers to them.
+  /// Records all rows of a new owner, after they are written, with the bytes of their blobs. `is_counted`: the blobs'
+  /// reference counts include this one already.
   Status NoteNew(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes, bool is_counted);
-  /// All rows of an owner, before they go, likewise.
+  /// Likewise, all rows of an owner before they are deleted.
   Status NoteRemoved(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes);
 
-  /// Of all that was noted: the sum over the rows, and the bytes of the blobs and rows.
+  /// Over everything recorded: the sum of the rows, and the bytes of blobs and rows.
   [[nodiscard]] std::int64_t tiles_sum() const { return totals_.sum; }
   [[nodiscard]] std::int64_t num_bytes() const { return totals_.bytes; }
   [[nodiscard]] std::int64_t edit_key() const { return edit_key_; }
@@ -45,25 +45,25 @@ class EditTileRecorder {
   using OptionalStatement = std::optional<sqlite::Statement>;
   std::int64_t edit_key_;
   OptionalStatement insert_, share_, note_new_, note_removed_, share_all_, rows_, find_, erase_;
-  bool goes_on_ = false;  ///< some rows of the edit may be there: several of its objects may have left the same tile
+  bool goes_on_ = false;  ///< rows of the edit may exist already: several of its objects may have left the same tile
   TileTotals totals_;
 };
 
-/// What a row of edit_tiles adds to the sum over the rows of its edit, by that of two rows of tiles.
+/// Adds a row of edit_tiles to the sum of its edit, as two rows of tiles.
 void AddEditTile(TileTotals& totals, std::int64_t submap_id, TileIndex index, std::int64_t layer,
                  std::int64_t before_key, std::int64_t after_key);
 
-/// Writes the rest of it. `tiles`: what was noted.
+/// Writes the remaining undo data. `tiles`: the recorded ones.
 Status RecordHistory(sqlite::Database& database, std::int64_t map_key, std::int64_t edit_key, const EditRecord& edit,
                      const MapSnapshot& after, const EditTileRecorder& tiles);
-/// For what the map's last edit has left, if that is still to be written, and it is kept what undoes the edit.
+/// For the space vacated by the map's last edit, if it is still to be written and the edit's undo data are kept.
 Result<std::optional<EditTileRecorder>> RecorderOfLeft(sqlite::Database& database, const MapRow& map);
-/// Adds to what is kept of that edit what was noted, and deletes what is beyond the limits then.
+/// Adds recorded tiles to that edit's undo data, then trims.
 Status AddToHistory(sqlite::Database& database, const EditTileRecorder& left, std::int64_t now_ns,
                     const EditLogLimits& limits);
-/// Deletes some of what is beyond the limits at the time `now_ns` of SeenClock, the oldest first, and first of all the
-/// newest, if it alone is larger than they allow. Of tiles few more than kMostTilesTrimmed, so that no edit waits long
-/// for what others left, but one edit's at least, as it adds one.
+/// Deletes undo data beyond the limits at `now_ns` of SeenClock: first the newest if it alone exceeds them, then the
+/// oldest. Deletes little more than kMostTilesTrimmed tiles, so that no edit waits long, but at least one edit's data,
+/// because each edit adds one.
 Status TrimHistories(sqlite::Database& database, std::int64_t map_key, std::int64_t now_ns,
                      const EditLogLimits& limits);
 
@@ -71,7 +71,7 @@ Status TrimHistories(sqlite::Database& database, std::int64_t map_key, std::int6
 Result<StateDelta> ReadHistory(sqlite::Database& database, const MapRow& map, std::int64_t revision,
                                std::uint16_t store);
 
-/// What is answered for an edit that is not kept; of which is the oldest that is.
+/// The error for an edit without undo data; names the oldest edit that has them.
 Status UndoNotKept(std::int64_t revision, std::optional<std::int64_t> oldest_edit);
 
 }  // namespace dhpmap

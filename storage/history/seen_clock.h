@@ -9,17 +9,16 @@
 
 namespace dhpmap {
 
-/// Nanoseconds from anywhere on, which only pass: std::chrono::steady_clock.
+/// Monotonic time in ns with an arbitrary origin: std::chrono::steady_clock.
 using PassingTime = std::function<std::int64_t()>;
-/// `time`, or where that is empty the steady clock.
+/// `time`, or the steady clock if that is empty.
 PassingTime OrSteadyClock(PassingTime time);
 
-/// The time that servers have seen pass with a database open for writing. It never goes back, stands still while nobody
-/// has the database open, and no setting of the system's clock moves it: by it what is kept is old. Thread-safe.
+/// The time during which servers had the database open for writing. Monotonic, stopped while the database is closed,
+/// and independent of the system clock. Ages of kept data refer to it. Thread-safe.
 class SeenClock {
  public:
-  /// Goes on from what the database has stored, or, if that is damaged, from the newest row that says when it was
-  /// written.
+  /// Continues from the stored value or, if that is damaged, from the newest time stored in any row.
   static Result<SeenClock> GoOn(sqlite::Database& database, PassingTime time);
 
   [[nodiscard]] std::int64_t Now_ns() const { return before_ns_ + time_() - began_ns_; }
@@ -33,7 +32,7 @@ class SeenClock {
   std::int64_t began_ns_;
 };
 
-/// Stores how far it has got, within a transaction.
+/// Stores the present value, within a transaction.
 Status StoreSeenTime(sqlite::Database& database, std::int64_t seen_ns);
 
 }  // namespace dhpmap

@@ -13,26 +13,26 @@
 
 namespace dhpmap {
 
-// The layers of a map that belong to none of its objects: free space, and what objects have left.
+// The layers of a map itself: free space and vacated space.
 
 struct MapLayers {
   std::shared_ptr<const FreeSpace> free_space, vacated;
 };
 
-/// What of them is written: all, or all but what MapSnapshot::leaving() has left.
+/// The layers to write: complete, or without the old place of MapSnapshot::leaving().
 struct MapLayersToWrite {
   const FreeSpace& free_space;
   const FreeSpace& vacated;
 };
 
-/// Writes the tiles that differ, within the caller's transaction. Returns the totals of all that are there then.
-/// `recorder` (may be null) is told which blobs of the vacated space they were and are.
-/// FAILED_PRECONDITION if the stored ones, which `head` tells of, are not those of `before`.
+/// Writes the changed tiles, within the caller's transaction, and returns the totals of all tiles. `recorder` (may be
+/// null) records the blobs of vacated space before and after. FAILED_PRECONDITION if the stored tiles, described by
+/// `head`, are not those of `before`.
 Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head, const StateMarks& before,
                                   const MapLayersToWrite& after, EditTileRecorder* recorder = nullptr);
 
-/// Reads the tiles of a map and compares them with what its row says. DATA_LOSS naming the tile if one is damaged or
-/// missing, FAILED_PRECONDITION for those of a later version's layer.
+/// Reads the tiles of a map and checks them against its row. DATA_LOSS naming a damaged or missing tile,
+/// FAILED_PRECONDITION for tiles of a later version's layer.
 Result<MapLayers> ReadMapLayers(sqlite::Database& database, const MapRow& map);
 
 }  // namespace dhpmap

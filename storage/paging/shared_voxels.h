@@ -12,16 +12,16 @@
 
 namespace dhpmap {
 
-/// Which voxels settled objects hold, how many more than one does, and where. Takes some 100 MB at most.
+/// Counts and locates voxels that several inactive objects hold. Needs at most about 100 MB.
 class SharedVoxels {
  public:
-  /// A tile of an object, once.
+  /// Adds a tile of an object; call once for each.
   void Add(SubmapId id, const BlockTile& tile) {
     for (const BlockEntry& entry : tile.entries()) {
       if (entry.tsdf != nullptr) AddBlock(id, entry);
     }
   }
-  /// -1: too many blocks to tell.
+  /// -1: too many blocks to count.
   [[nodiscard]] std::int64_t num_shared() const { return is_too_large_ ? -1 : num_shared_; }
   /// The first VerifyReport::kMaxSharedPlaces of them.
   [[nodiscard]] const std::vector<SharedPlace>& places() const { return places_; }

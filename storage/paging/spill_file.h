@@ -15,27 +15,27 @@
 
 namespace dhpmap {
 
-/// A file without a name, of the process alone: what is written is read again as it was, and gone with the process.
-/// Room that was given back is used again, so that it is as large as the most that it ever held. Thread-safe.
+/// An unlinked file of this process for data that comes back unchanged and need not survive. Freed pages are reused, so
+/// its size is the peak of its content. Thread-safe.
 class SpillFile {
  public:
-  /// Of room for one piece each.
+  /// Page size; a piece occupies whole pages.
   static constexpr std::size_t kPageBytes = std::size_t{16} << 10;
 
-  /// In a folder that can be written to.
+  /// In a writable folder.
   static Result<std::shared_ptr<SpillFile>> Open(const std::string& folder);
   ~SpillFile();
   SpillFile(const SpillFile&) = delete;
   SpillFile& operator=(const SpillFile&) = delete;
 
-  /// The pages that hold the bytes, in their order. RESOURCE_EXHAUSTED if less than 256 MiB of the disk would stay
-  /// free; then nothing is taken.
+  /// The pages that hold the bytes, in order. RESOURCE_EXHAUSTED, with nothing written, if less than 256 MiB of the
+  /// disk would stay free.
   Result<std::vector<std::uint32_t>> Write(ByteView bytes) DHPMAP_EXCLUDES(mutex_);
-  /// As many bytes as were written. UNAVAILABLE if the disk fails.
+  /// `size` bytes as written. UNAVAILABLE if the disk fails.
   [[nodiscard]] Result<Bytes> Read(std::span<const std::uint32_t> pages, std::size_t num_bytes) const;
   void GiveBack(std::span<const std::uint32_t> pages) DHPMAP_EXCLUDES(mutex_);
 
-  /// Of the file.
+  /// Size of the file.
   [[nodiscard]] std::int64_t size_bytes() const DHPMAP_EXCLUDES(mutex_);
 
  private:
@@ -48,7 +48,7 @@ class SpillFile {
   std::uint32_t num_pages_ DHPMAP_GUARDED_BY(mutex_) = 0;
 };
 
-/// Tiles in such a file.
+/// A TileSpill in such a file.
 class TileSpillFile final : public TileSpill {
  public:
   explicit TileSpillFile(std::shared_ptr<SpillFile> file) : file_(std::move(file)) {}

@@ -13,34 +13,33 @@
 
 namespace dhpmap {
 
-/// Reads tiles of open maps that were left on the disk. Outlives the store where somebody still has such a map.
-/// Thread-safe.
+/// Reads evicted tiles of open maps. Outlives the store as long as such a map is in use. Thread-safe.
 class TileBlobs {
  public:
   /// As ReaderPool.
   TileBlobs(std::string path, sqlite::OpenMode mode, int busy_timeout_ms)
       : readers_(std::make_unique<ReaderPool>(std::move(path), mode, busy_timeout_ms)) {}
 
-  /// The blocks of a tile, by ascending cell. As TileSource says, and errors of SQLite. `name`, of the owner, is for
-  /// errors.
+  /// The blocks of a tile, by ascending cell. Errors as TileSource, and of SQLite. `name`, of the owner, is for
+  /// messages.
   Result<std::vector<BlockEntry>> Read(const std::string& name, const TileOwner& owner, const TileOnDisk& tile)
       DHPMAP_EXCLUDES(mutex_);
 
-  /// Gives read(database) a connection; what it returns is a Result. UNAVAILABLE once the store is closed, and errors
-  /// of SQLite.
+  /// Calls read(database) with a connection; it returns a Result. UNAVAILABLE once the store is closed, and errors of
+  /// SQLite.
   template <typename Value, typename Reader>
   Result<Value> With(const std::string& name, Reader&& read) DHPMAP_EXCLUDES(mutex_) {
     DHPMAP_RETURN_IF_ERROR(Begin(name));
-    const Reading reading(*this);  // also if memory does not suffice
+    const Reading reading(*this);  // also if memory runs out
     DHPMAP_ASSIGN_OR_RETURN(ReaderPool::Lease lease, readers_->Borrow());
     return read(*lease);
   }
 
-  /// Waits for those who read, and lets go of the file.
+  /// Waits for active readers, then closes the file.
   void Close() DHPMAP_EXCLUDES(mutex_);
 
  private:
-  /// One who was counted as reading, until the end of its life.
+  /// Counts a reader as active during its lifetime.
   class Reading {
    public:
     explicit Reading(TileBlobs& blobs) : blobs_(blobs) {}
@@ -59,7 +58,7 @@ class TileBlobs {
   CondVar is_idle_;
   int num_reading_ DHPMAP_GUARDED_BY(mutex_) = 0;
   bool is_closed_ DHPMAP_GUARDED_BY(mutex_) = false;
-  std::unique_ptr<ReaderPool> readers_;  ///< changed by Close alone, while nobody reads
+  std::unique_ptr<ReaderPool> readers_;  ///< changed only by Close, without active readers
 };
 
 }  // namespace dhpmap

@@ -8,7 +8,7 @@
 
 namespace dhpmap {
 
-/// Whose tile it was when its state was read: keys of rows, which are never given out again.
+/// Owner of a tile when its state was read: keys of rows, which are never reused.
 struct TileOwner {
   std::int64_t map_key = 0;
   std::int64_t submap_key = 0;
@@ -17,14 +17,13 @@ struct TileOwner {
 /// ABORTED, reason SNAPSHOT_EXPIRED. `what`: the subject of the sentence.
 Status Expired(const std::string& what);
 
-/// Of a blob that is not there: whether the store has given it up because the map went on without it. False where it
-/// may as well be lost: a row still refers to it, or the map's submaps or this one's tiles are not those that their
-/// rows speak of. Looks at all rows of tiles there are: for who has failed already.
+/// Whether the store has deleted a missing blob because the map has changed since. False if it may be lost instead: a
+/// row still refers to it, or the map's submaps or this one's tiles do not match their rows. Scans all rows of tiles,
+/// so only for calls that have failed already.
 Result<bool> IsGivenUp(sqlite::Database& database, const TileOwner& owner, std::int64_t blob_key);
 
-/// Of a submap that has other tiles than when its state was read: whether the map has gone on without that state. False
-/// where rows may as well be lost: the map's submaps or this one's tiles are not those that their rows speak of. Within
-/// the caller's transaction.
+/// Whether a submap has other tiles than in the state that was read because the map has changed since. False if rows
+/// may be lost instead: the map's submaps or this one's tiles do not match their rows. Within the caller's transaction.
 Result<bool> HasGoneOn(sqlite::Database& database, const TileOwner& owner);
 
 }  // namespace dhpmap

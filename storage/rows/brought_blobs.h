@@ -9,13 +9,13 @@
 
 namespace dhpmap {
 
-// Blobs that come before the rows that refer to them, in transactions of their own. Until then they are among the dead:
-// whoever brings them keeps them (KeptBlobs), and if the process ends first they are collected.
+// Blobs that are written before the rows that refer to them, in earlier transactions. Until then they are listed as
+// dead: the importing process protects them (KeptBlobs), and if it ends first they are collected.
 
-/// Keys for so many blobs, which nobody else is given.
+/// Reserves that many keys.
 Result<BlobRange> ReserveBlobKeys(sqlite::Database& database, std::int64_t num_blobs);
 
-/// Writes blobs under such keys. One for each transaction.
+/// Writes blobs under reserved keys. One for each transaction.
 class BroughtBlobs {
  public:
   static Result<BroughtBlobs> Prepare(sqlite::Database& database);
@@ -26,7 +26,7 @@ class BroughtBlobs {
   sqlite::Statement blob_, dead_;
 };
 
-/// Rows of this transaction refer to all of them.
+/// For a transaction with rows that refer to all of them.
 Status ReviveBlobs(sqlite::Database& database, BlobRange range);
 
 }  // namespace dhpmap

@@ -11,7 +11,7 @@
 
 namespace dhpmap {
 
-// Rows of changes and change_logs. Each is sealed by itself: they are no part of the map, which is whole without them.
+// Rows of changes and change_logs. Each has its own checksum: the map is complete without them.
 
 /// Bytes as they are in a column.
 struct ChangeBlob {
@@ -23,16 +23,16 @@ inline bool FromBytes(ByteView bytes, ChangeBlob& blob) {
   return true;
 }
 
-/// What one commit changed.
+/// The change of one commit.
 struct ChangeRow {
   std::int64_t key = 0;
   std::int64_t map_key = 0;
   std::int64_t last_revision = 0;
   std::int64_t first_revision = 0;
-  std::int64_t previous_revision = 0;  ///< last_revision of the change before, or where the log began
+  std::int64_t previous_revision = 0;  ///< last_revision of the previous change, or where the log began
   std::int64_t time_ns = 0;
   ChangeBlob blob;
-  std::int64_t seen_ns = 0;  ///< of SeenClock, when it was made
+  std::int64_t seen_ns = 0;  ///< time of SeenClock
   RowSeal seal;
 };
 
@@ -59,7 +59,7 @@ const Table<ChangeRow>& Changes();
 struct ChangeLogRow {
   std::int64_t map_key = 0;
   std::uint64_t history_id = 0;     ///< of the map when it was written
-  std::int64_t complete_after = 0;  ///< all changes of later revisions are there
+  std::int64_t complete_after = 0;  ///< changes of all later revisions are kept
   std::int64_t last_revision = 0;   ///< of the last change, or where the log began
   std::int64_t num_changes = 0;
   std::int64_t num_bytes = 0;  ///< of their blobs
@@ -83,7 +83,7 @@ std::vector<Column<Row>> ChangeLogColumns() {
 }
 const Table<ChangeLogRow>& ChangeLogs();
 
-/// Nothing if there is none. DATA_LOSS if it is damaged.
+/// Nothing if there is no log. DATA_LOSS if it is damaged.
 Result<std::optional<ChangeLogRow>> ReadChangeLog(sqlite::Database& database, std::int64_t map_key);
 
 }  // namespace dhpmap

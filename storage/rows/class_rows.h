@@ -34,13 +34,13 @@ const Table<ClassRow>& Classes();
 
 /// By ascending class id.
 Result<std::vector<ClassRow>> ReadClassRows(sqlite::Database& database, std::int64_t map_key);
-/// Writes the classes in place of what is stored. Returns the rows, by ascending class id.
+/// Replaces the stored classes. Returns the rows, by ascending class id.
 Result<std::vector<ClassRow>> WriteClassRows(sqlite::Database& database, std::int64_t map_key, const LabelSet& classes);
 
-/// `version`: of the checksum in the map's row, which stands for its classes, too; 2 or later.
+/// `version`: of the map row's checksum, which covers the classes; 2 or later.
 std::uint32_t ClassesChecksum(const std::vector<ClassRow>& rows, int version);
 
-/// DATA_LOSS if they are no label set.
+/// DATA_LOSS unless they form a label set.
 Result<std::shared_ptr<const LabelSet>> LabelSetOf(const std::vector<ClassRow>& rows);
 
 }  // namespace dhpmap

@@ -66,9 +66,15 @@ std::uint32_t ConfigChecksum(const std::vector<ConfigRow>& rows) {
 Result<MapConfig> ConfigOf(const std::vector<ConfigRow>& rows) {
   MapConfig config;
   for (const ConfigRow& row : rows) {
-    if (const Status set = SetField(config, row.key, row.value); !set.ok()) {
-      return FailedPrecondition("the map's config is not of this version: " + set.message()).WithReason("NEWER_CONFIG");
+    const Status set = SetField(config, row.key, row.value);
+    if (set.ok()) continue;
+    if (IsRetiredField(row.key)) {
+      return FailedPrecondition("the map was built with " + row.key + " = " + row.value +
+                                ", which this version cannot go on with: serve it with the version that wrote it, or "
+                                "map its frames again")
+          .WithReason("RETIRED_CONFIG");
     }
+    return FailedPrecondition("the map's config is not of this version: " + set.message()).WithReason("NEWER_CONFIG");
   }
   return config;
 }

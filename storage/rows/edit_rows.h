@@ -11,7 +11,7 @@
 
 namespace dhpmap {
 
-// Rows of edits and edit_histories. Each is sealed by itself: they are no part of the map, which is whole without them.
+// Rows of edits and edit_histories. Each has its own checksum: the map is complete without them.
 
 /// An edit in the log.
 struct EditRow {
@@ -22,8 +22,8 @@ struct EditRow {
   EditKind kind = EditKind::kEdit;
   EditSource source;
   ChangeBlob summary;
-  ChangeBlob answer;         ///< what its request was answered; empty without an id of the request
-  std::int64_t seen_ns = 0;  ///< of SeenClock, when it was made
+  ChangeBlob answer;         ///< response to its request; empty without a request id
+  std::int64_t seen_ns = 0;  ///< time of SeenClock
   RowSeal seal;
 };
 
@@ -49,13 +49,13 @@ std::vector<Column<Row>> EditColumns() {
 }
 const Table<EditRow>& Edits();
 
-/// What it takes to undo an edit, but its tiles.
+/// Undo data of an edit, without its tiles.
 struct EditHistoryRow {
   std::int64_t key = 0;  ///< of the edit
   std::int64_t map_key = 0;
   std::int64_t revision = 0;
   std::int64_t time_ns = 0;
-  std::int64_t num_bytes = 0;  ///< of all that it keeps
+  std::int64_t num_bytes = 0;  ///< of all undo data of the edit
   std::int64_t tiles_sum = 0;  ///< over its rows in edit_tiles, see FORMAT.md
   ChangeBlob blob;
   RowSeal seal;

@@ -10,17 +10,17 @@
 
 namespace dhpmap {
 
-/// Keys of blobs from the first to the last.
+/// First and last key of blobs.
 struct BlobRange {
   std::int64_t first = 0, last = -1;
   friend bool operator==(const BlobRange&, const BlobRange&) = default;
 };
 
-/// Blobs that are among the dead and stay all the same, since somebody is about to refer to them: an import brings its
-/// blobs before its rows. Only this process knows; after its end they are dead as others are. Thread-safe.
+/// Blobs that are listed as dead but protected, because an import will refer to them. Known only to this process; after
+/// its end they are collected like others. Thread-safe.
 class KeptBlobs {
  public:
-  /// `range` shares no key with those that are kept.
+  /// `range` must not overlap protected keys.
   void Keep(BlobRange range) {
     const MutexLock lock(mutex_);
     ranges_.insert(std::upper_bound(ranges_.begin(), ranges_.end(), range,
@@ -35,10 +35,10 @@ class KeptBlobs {
   [[nodiscard]] std::vector<BlobRange> Others() const {
     const MutexLock lock(mutex_);
     std::vector<BlobRange> others;
-    std::int64_t next = 0;  // of no blob
+    std::int64_t next = 0;  // no blob has this key
     for (const BlobRange& range : ranges_) {
       if (next < range.first) others.push_back({next, range.first - 1});
-      next = range.last + 1;  // keys are far from the last number there is
+      next = range.last + 1;  // cannot overflow: keys are far below the maximum
     }
     others.push_back({next, std::numeric_limits<std::int64_t>::max()});
     return others;

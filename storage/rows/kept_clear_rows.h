@@ -10,7 +10,7 @@
 
 namespace dhpmap {
 
-/// A region that a map keeps clear.
+/// An ignored region of a map.
 struct KeptClearRow {
   std::int64_t map_key = 0;
   KeptClearRegion region;
@@ -28,16 +28,16 @@ std::vector<Column<Row>> KeptClearColumns() {
 }
 const Table<KeptClearRow>& KeptClearTable();
 
-/// By ascending name. DATA_LOSS for a row that is none.
+/// By ascending name. DATA_LOSS for an invalid row.
 Result<std::vector<KeptClearRow>> ReadKeptClearRows(sqlite::Database& database, std::int64_t map_key);
-/// Brings the rows from what `before` says to what `after` says, writing those that differ. Returns them all.
+/// Updates the rows from `before` to `after`, writing only differences. Returns all rows.
 Result<std::vector<KeptClearRow>> WriteKeptClearRows(sqlite::Database& database, std::int64_t map_key,
                                                      const KeptClear& before, const KeptClear& after);
 
-/// `version`: of the checksum in the map's row, which stands for these rows, too; 7 or later.
+/// `version`: of the map row's checksum, which covers these rows; 7 or later.
 std::uint32_t KeptClearChecksum(const std::vector<KeptClearRow>& rows, int version);
 
-/// DATA_LOSS if they are not what a map may keep clear.
+/// DATA_LOSS unless they are valid ignored regions.
 Result<KeptClear> KeptClearOf(const std::vector<KeptClearRow>& rows);
 
 }  // namespace dhpmap

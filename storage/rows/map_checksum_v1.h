@@ -10,8 +10,8 @@
 
 namespace dhpmap {
 
-/// Version 1 of a map row's checksum, which went over config and classes themselves: of those keys that are stored, in
-/// the order that the list of keys had then. FAILED_PRECONDITION, reason NEWER_CONFIG, for a key not known then.
+/// Version 1 of a map row's checksum, which covered config and classes directly: the stored keys, in the order of the
+/// list of keys at that time. FAILED_PRECONDITION, reason NEWER_CONFIG, for a key that did not exist then.
 Result<std::uint32_t> MapChecksumV1(const MapRow& row, const std::vector<ConfigRow>& config,
                                     const std::vector<ClassRow>& classes);
 

@@ -22,25 +22,25 @@ struct MapRow {
   std::uint32_t classes_checksum = 0;
   NumberMarks marks;
   std::uint32_t sessions_checksum = 0;
-  TileTotals tiles;  ///< of the layers that belong to the map itself
+  TileTotals tiles;  ///< of the map's own layers
   std::uint32_t merged_checksum = 0;
   std::uint32_t pairs_checksum = 0;
   std::uint32_t kept_clear_checksum = 0;
-  std::int64_t leaving_id = -1;  ///< of the submap that its last edit moved, if what that left is still to be written
+  std::int64_t leaving_id = -1;  ///< the submap that the last edit moved, if its old place is still to be written
   RowSeal seal;
 
-  /// Nothing for -1, and for what is no id.
+  /// Nothing for -1 and for invalid ids.
   [[nodiscard]] std::optional<SubmapId> leaving() const {
     const bool is_id = leaving_id >= 0 && leaving_id <= std::numeric_limits<std::uint32_t>::max();
     return is_id ? std::optional(SubmapId(static_cast<std::uint32_t>(leaving_id))) : std::nullopt;
   }
 
-  /// Whether it says what its rows in tiles are; those that schema 6 and before sealed only count them.
+  /// Whether it has a sum of its rows in tiles; rows of schema 6 and before only have their number.
   [[nodiscard]] bool CoversTiles() const { return seal.version >= 6; }
 };
 
-/// The columns of table maps. `Row` is a MapRow, or derived from it. The order of those that a released version of the
-/// checksum covers is never changed: new ones go to the end.
+/// The columns of table maps. `Row` is a MapRow, or derived from it. The order of columns that a released checksum
+/// version covers is frozen: new ones go to the end.
 template <typename Row = MapRow>
 std::vector<Column<Row>> MapColumns() {
   using enum Written;

@@ -15,44 +15,41 @@
 namespace dhpmap {
 
 // Rows of maps, map_config, label_classes, feed_sessions, merged_ids, object_pairs and kept_clear <-> MapInfo. A map's
-// row is sealed by a checksum that covers the others by checksums of their own, of what is stored in them; readers
-// answer DATA_LOSS where one does not match.
+// row has a checksum that covers the checksums of the other tables; readers return DATA_LOSS on a mismatch.
 
-/// What is stored of a map's own layers.
+/// The stored layers of a map itself.
 struct StoredLayersOfMap {
   TileTotals tiles;
-  std::optional<SubmapId> leaving;  ///< as MapSnapshot::leaving, if what it left is not among them
+  std::optional<SubmapId> leaving;  ///< as MapSnapshot::leaving, if its old place is not stored yet
 };
 
-/// NOT_FOUND if there is no such map. FAILED_PRECONDITION if its config has keys that this version does not know.
+/// NOT_FOUND if there is no such map. FAILED_PRECONDITION if its config has unknown or retired keys.
 Result<MapRow> ReadMap(sqlite::Database& database, const std::string& name);
 /// Names in ascending order.
 Result<std::vector<std::string>> ReadMapNames(sqlite::Database& database);
-/// The row alone, not checked, without config, label set and sessions: what a commit compares with the state it starts
-/// from.
+/// The row alone, unverified, without config, label set and sessions: for the comparison of a commit with its base.
 Result<MapRow> ReadMapHead(sqlite::Database& database, const std::string& name);
 
-/// Adds a row with what identifies a map; UpdateMap fills it. Returns it. ALREADY_EXISTS if the name is taken.
+/// Adds a row with the identity of a map; UpdateMap fills it. Returns it. ALREADY_EXISTS if the name is in use.
 Result<MapRow> InsertMap(sqlite::Database& database, const MapSnapshot& snapshot);
-/// Writes config, label set and sessions only where they differ from `before`, or were sealed by an older version.
-/// `layers`: those of `after` as they are stored.
+/// Writes config, label set and sessions only if they differ from `before`, or have a checksum of an older version.
+/// `layers`: the stored ones of `after`.
 Status UpdateMap(sqlite::Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after,
                  const StoredLayersOfMap& layers);
-/// Writes a row that was read and changed, as the revision after it.
+/// Writes a repaired row as the next revision.
 Status WriteRepairedMap(sqlite::Database& database, MapRow& row);
 /// See MapStore::Reserve.
 Status SetMarks(sqlite::Database& database, const std::string& name, const NumberMarks& marks);
-/// Takes every map whose marks are above its numbers beyond them, and notes the revisions that are left out. Leaves
-/// damaged maps alone.
+/// Moves every map with marks above its numbers beyond them, and records the skipped revisions. Ignores damaged maps.
 Status LeaveReservedNumbers(sqlite::Database& database);
-/// What LeaveReservedNumbers has noted of a map.
+/// The revisions that LeaveReservedNumbers has recorded for a map.
 Result<LostRevisions> ReadLostRevisions(sqlite::Database& database, std::int64_t map_key);
-/// Says in the database that it is a backup.
+/// Marks the database as a backup.
 Status MarkAsBackup(sqlite::Database& database);
-/// If it is one: gives every map a history of its own, since others may go on from another copy of the same states, and
-/// takes the mark off. Leaves damaged maps alone.
+/// In a backup: gives every map a new history, because other copies of the same states may continue too, and removes
+/// the mark. Ignores damaged maps.
 Status BeginHistoriesOfBackup(sqlite::Database& database);
-/// With everything it holds. NOT_FOUND if there is no such map.
+/// Deletes a map with all its data. NOT_FOUND if there is no such map.
 Status DeleteMapRows(sqlite::Database& database, const std::string& name);
 
 }  // namespace dhpmap

@@ -49,21 +49,21 @@ std::vector<Column<Row>> PairColumns() {
 }
 const Table<PairRow>& PairTable();
 
-/// Ascending. DATA_LOSS for a row that is none.
+/// Ascending. DATA_LOSS for an invalid row.
 Result<std::vector<MergedRow>> ReadMergedRows(sqlite::Database& database, std::int64_t map_key);
 Result<std::vector<PairRow>> ReadPairRows(sqlite::Database& database, std::int64_t map_key);
 
-/// Brings the rows from what `before` says to what `after` says, writing those that differ. Returns them all.
+/// Updates the rows from `before` to `after`, writing only differences. Returns all rows.
 Result<std::vector<MergedRow>> WriteMergedRows(sqlite::Database& database, std::int64_t map_key,
                                                const MergedIds& before, const MergedIds& after);
 Result<std::vector<PairRow>> WritePairRows(sqlite::Database& database, std::int64_t map_key, const ObjectPairs& before,
                                            const ObjectPairs& after);
 
-/// `version`: of the checksum in the map's row, which stands for these rows, too; 5 or later.
+/// `version`: of the map row's checksum, which covers these rows; 5 or later.
 std::uint32_t MergedChecksum(const std::vector<MergedRow>& rows, int version);
 std::uint32_t PairsChecksum(const std::vector<PairRow>& rows, int version);
 
-/// DATA_LOSS if they make no such list.
+/// DATA_LOSS unless they form a valid list.
 Result<MergedIds> MergedIdsOf(const std::vector<MergedRow>& rows);
 Result<ObjectPairs> ObjectPairsOf(const std::vector<PairRow>& rows);
 

@@ -8,7 +8,7 @@
 
 namespace dhpmap {
 
-/// How much time servers have seen pass; there is one such row at most.
+/// The time that servers have observed to pass; at most one row.
 struct SeenRow {
   std::int64_t clock = 1;
   std::int64_t seen_ns = 0;

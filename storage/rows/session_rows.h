@@ -10,7 +10,7 @@
 
 namespace dhpmap {
 
-/// How far one session of frames has got in a map.
+/// Progress of a feed session in a map.
 struct SessionRow {
   std::int64_t map_key = 0;
   SessionMark mark;
@@ -31,15 +31,14 @@ const Table<SessionRow>& Sessions();
 
 /// By ascending name.
 Result<std::vector<SessionRow>> ReadSessionRows(sqlite::Database& database, std::int64_t map_key);
-/// Brings the rows from what `before` says to what `after` says, writing those that differ. Returns them all, by
-/// ascending name.
+/// Updates the rows from `before` to `after`, writing only differences. Returns all rows, by ascending name.
 Result<std::vector<SessionRow>> WriteSessionRows(sqlite::Database& database, std::int64_t map_key,
                                                  const SessionMarks& before, const SessionMarks& after);
 
-/// `version`: of the checksum in the map's row, which stands for its sessions, too; 3 or later.
+/// `version`: of the map row's checksum, which covers its sessions; 3 or later.
 std::uint32_t SessionsChecksum(const std::vector<SessionRow>& rows, int version);
 
-/// DATA_LOSS if they are no marks of sessions.
+/// DATA_LOSS unless they are valid marks.
 Result<SessionMarks> SessionMarksOf(const std::vector<SessionRow>& rows);
 
 }  // namespace dhpmap

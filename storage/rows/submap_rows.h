@@ -22,16 +22,16 @@ struct SubmapRow {
   std::int64_t map_key = 0;
   SubmapInfo info;
   BoundingSphere sphere;
-  std::shared_ptr<const LevelOutline> outline;  ///< null: not known
+  std::shared_ptr<const LevelOutline> outline;  ///< null: unknown
   SubmapCounts counts;
   std::int64_t tiles_sum = 0;  ///< see TileTotals
   RowSeal seal;
 
-  /// Whether it says what its rows in tiles are; those that schema 6 and before sealed only count them.
+  /// Whether it has a sum of its rows in tiles; rows of schema 6 and before only have their number.
   [[nodiscard]] bool CoversTiles() const { return seal.version >= 3; }
 };
 
-/// A column, and its place among those that the checksum covers.
+/// A column, and its position among those that the checksum covers.
 template <typename Row>
 struct PlacedColumn {
   int place;
@@ -52,7 +52,7 @@ std::vector<PlacedColumn<Row>> InfoColumns() {
 }
 
 /// The columns of table submaps. `Row` is a SubmapRow, or derived from it. Version 1 of the checksum covers the columns
-/// in the order of their places, so these are never changed: new ones, and new fields of SubmapInfo, take the next.
+/// in the order of their places, which are frozen: new columns, and new fields of SubmapInfo, take the next.
 template <typename Row = SubmapRow>
 std::vector<Column<Row>> SubmapColumns() {
   using enum Written;
@@ -76,8 +76,8 @@ std::vector<Column<Row>> SubmapColumns() {
 }
 const Table<SubmapRow>& Submaps();
 
-/// The rows of a map, by ascending submap id. DATA_LOSS, naming the submap, where a row does not match its checksum;
-/// where `damaged` is not null, such rows are added to it instead.
+/// The rows of a map, by ascending submap id. DATA_LOSS, naming the submap, on a checksum mismatch; if `damaged` is not
+/// null, such rows are added to it instead.
 Result<std::vector<SubmapRow>> ReadSubmaps(sqlite::Database& database, std::int64_t map_key,
                                            std::vector<SubmapRow>* damaged = nullptr);
 
@@ -90,7 +90,7 @@ class SubmapRowWriter {
     std::int64_t key = 0;
     SubmapCounts counts;
     std::int64_t tiles_sum = 0;
-    bool covers_tiles = false;  ///< tiles_sum is right
+    bool covers_tiles = false;  ///< tiles_sum is valid
   };
   /// Nothing if the map has no such submap.
   Result<std::optional<Stored>> Find(std::int64_t map_key, SubmapId id);
@@ -98,9 +98,9 @@ class SubmapRowWriter {
   /// Adds or replaces a row. Returns its key.
   Result<std::int64_t> Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
                              std::int64_t tiles_sum);
-  /// Likewise, of a row that was read; its key and seal do not matter.
+  /// The same for a row that was read; key and checksum are set anew.
   Result<std::int64_t> Write(SubmapRow row);
-  /// With its tiles.
+  /// Including its tiles.
   Status Erase(std::int64_t submap_key);
 
  private:

@@ -14,32 +14,31 @@
 
 namespace dhpmap {
 
-// Rows of tiles, and the blobs they refer to. A blob is written once, under a key that is never given out again, and
-// may be referred to by several rows. When the last one leaves it, a trigger puts it among the dead: see
-// CollectDeadBlobs.
+// Rows of tiles, and their blobs. A blob is immutable, under a key that is never reused, and several rows may refer to
+// it. When the last reference goes, a trigger lists it as dead: see CollectDeadBlobs.
 
-/// Whose tiles: column tiles.owner_key. Of an object its submap_key.
+/// Column tiles.owner_key; for an object it is the submap_key.
 constexpr std::int64_t OwnerOfMap(std::int64_t map_key) { return -map_key; }
 
-/// What a row of a tile refers to.
+/// The blob of a tile's row.
 struct StoredBlob {
   std::int64_t key = 0;         ///< 0: there is no row
-  std::int64_t num_blocks = 0;  ///< that the blob holds; 0 for layers of maps
+  std::int64_t num_blocks = 0;  ///< in the blob; 0 for layers of maps
   std::int64_t bytes = 0;
-  std::uint64_t cells = 0;   ///< bit c: the blob holds the block at cell c; 0: not known, or a layer of maps
-  std::uint64_t extent = 0;  ///< of a TSDF: TileExtent::Code; 0: not known, or another layer
+  std::uint64_t cells = 0;   ///< bit c: the blob has a block at cell c; 0: unknown, or a layer of maps
+  std::uint64_t extent = 0;  ///< of a TSDF: TileExtent::Code; 0: unknown, or another layer
 };
 
 inline constexpr std::size_t kNumLayerNumbers = 16;  ///< a layer's number is half a byte
 /// The rows of a tile, by the number of the layer.
 using StoredLayers = std::array<StoredBlob, kNumLayerNumbers>;
 
-/// Of all rows of an owner, kept up to date with what changes. `sum` covers which rows there are and what they refer
-/// to: the order of rows does not matter, so it follows a commit at the cost of what was written.
+/// Totals of all rows of an owner, updated incrementally. `sum` covers the set of rows and their references,
+/// independent of their order, so a commit updates it in time linear in its writes.
 struct TileTotals {
   std::int64_t num_rows = 0;
   std::int64_t bytes = 0;
-  std::int64_t sum = 0;  ///< as in columns tiles_sum, see FORMAT.md
+  std::int64_t sum = 0;  ///< as columns tiles_sum, see FORMAT.md
 
   void Add(TileIndex index, std::int64_t layer, const StoredBlob& blob);
   void Remove(TileIndex index, std::int64_t layer, const StoredBlob& blob);
@@ -51,21 +50,21 @@ class TileRows {
   static Result<TileRows> Prepare(sqlite::Database& database);
 
   Result<StoredLayers> Find(std::int64_t owner_key, TileIndex index);
-  /// Of all rows that are there: for an owner whose totals nobody has kept.
+  /// Recomputes the totals from all rows, for an owner without stored ones.
   Result<TileTotals> Count(std::int64_t owner_key);
 
-  /// A new blob, to be referred to by one row.
+  /// Writes a new blob, for one row.
   Result<StoredBlob> Insert(ByteView blob, std::int64_t num_blocks);
-  /// To be called when rows of this transaction have left blobs in another way.
+  /// Call if other statements of this transaction released blobs.
   void NoteDeadBlobs() { may_have_dead_ = true; }
 
-  /// A blob that is there, to be referred to by one row more; nothing if it is there no longer.
+  /// Adds a reference to an existing blob; nothing if it is gone.
   Result<std::optional<StoredBlob>> Share(std::int64_t blob_key);
 
-  /// Adds rows for an owner that has none yet, which refer to the same blobs as those of another. `num_more`: how many
-  /// more refer to each then; 2 for who refers to them, too.
+  /// Adds rows for a new owner that refer to the blobs of another. `num_more`: references added to each; 2 if the
+  /// edit's undo data refer to them, too.
   Status Copy(std::int64_t from_owner_key, std::int64_t to_owner_key, std::int64_t num_more = 1);
-  /// Adds the row, or has it refer to another blob.
+  /// Adds the row, or changes its blob.
   Status Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
              const StoredBlob& after, TileTotals& totals);
   Status Erase(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
@@ -75,7 +74,7 @@ class TileRows {
   explicit TileRows(sqlite::Database& database) : database_(&database) {}
   using OptionalStatement = std::optional<sqlite::Statement>;
   sqlite::Database* database_;
-  bool may_have_dead_ = true;  ///< some blob may be among the dead
+  bool may_have_dead_ = true;  ///< there may be dead blobs
   OptionalStatement find_, count_, insert_blob_, find_blob_, revive_, share_, copy_, share_copied_, insert_, update_,
       erase_;
 };
@@ -91,16 +90,16 @@ class TileRowReader {
     bool is_missing = false;              ///< there is no such blob
     bool is_shared = false;               ///< other rows refer to it, too
     std::uint64_t cells = 0, extent = 0;  ///< see StoredBlob
-    ByteView blob;                        ///< lives as long as the visit
+    ByteView blob;                        ///< valid during the visit
   };
 
   static Result<TileRowReader> Prepare(sqlite::Database& database);
-  /// One that does not touch the blobs: whether they are missing, their number of blocks and themselves it leaves out.
+  /// Without reading blobs: leaves out is_missing, num_blocks and blob.
   static Result<TileRowReader> PrepareWithoutBlobs(sqlite::Database& database);
   /// Likewise, for ForEachOf.
   static Result<TileRowReader> PrepareForATile(sqlite::Database& database);
 
-  /// Calls visit(const Row&), which returns a Status; ends with the first error.
+  /// Calls visit(const Row&), which returns a Status; stops at the first error.
   template <typename Visitor>
   Status ForEach(std::int64_t owner_key, Visitor&& visit) {
     select_.Bind(owner_key);
@@ -130,25 +129,25 @@ class TileRowReader {
   sqlite::Statement select_;
 };
 
-/// How much is collected at a time.
+/// Limits of one collection.
 struct CollectBounds {
   std::int64_t max_blobs = 0;
-  // One blob is collected whatever these say:
+  // At least one blob is collected:
   std::int64_t max_bytes = std::numeric_limits<std::int64_t>::max();
   std::chrono::steady_clock::time_point end = std::chrono::steady_clock::time_point::max();
 };
 struct Collected {
   std::int64_t num_blobs = 0;
   std::int64_t num_bytes = 0;
-  bool has_more = false;  ///< the bounds ended it
+  bool has_more = false;  ///< stopped by the limits
 };
-/// Deletes blobs that no row refers to any more, but none that are kept, within the caller's transaction. States in
-/// memory may still name their keys: whoever wants to refer to one again asks Share first.
+/// Deletes unreferenced blobs, except protected ones, within the caller's transaction. States in memory may still have
+/// their keys: use Share before referring to one again.
 Result<Collected> CollectDeadBlobs(sqlite::Database& database, const CollectBounds& bounds, const KeptBlobs& kept = {});
 Result<bool> HasDeadBlobs(sqlite::Database& database, const KeptBlobs& kept = {});
-/// Part of each commit, within its transaction: where many are dead, as others wait for commits that follow upon each
-/// other, it deletes more than it made, so that their number has a bound. `num_written`: blobs that the commit wrote.
+/// Part of each commit: if many blobs are dead, it deletes more than it wrote, so that their number stays bounded even
+/// under continuous commits. `num_written`: blobs that the commit wrote.
 Status CollectBacklog(sqlite::Database& database, std::int64_t num_written, const KeptBlobs& kept = {});
-inline constexpr std::int64_t kMaxBacklog = 512;  ///< of dead blobs, beyond which commits help
+inline constexpr std::int64_t kMaxBacklog = 512;  ///< number of dead blobs beyond which commits help
 
 }  // namespace dhpmap

@@ -24,15 +24,15 @@ namespace dhpmap {
 enum class SqlType { kInteger, kReal, kText, kBlob };
 const char* SqlTypeName(SqlType type);
 
-/// How a value of a C++ type stands in a column and under a checksum:
+/// Representation of a C++ type in a column and under a checksum:
 ///   kType   the column's type
 ///   Bind    binds it as the statement's next parameter; text must live until the statement has run
-///   Read    takes it from the row's next column; false if what is there is no value of this type
-///   Cover   appends the bytes of it that a checksum covers
+///   Read    takes it from the row's next column; false if its value is of another type
+///   Cover   appends its bytes for a checksum
 template <typename T>
 struct ColumnValue;
 
-// Integers, and types that stand for one.
+// Integers, and types that convert to one.
 
 template <typename T>
 requires(std::integral<T> || std::is_enum_v<T>) std::int64_t ToInteger(T value) {
@@ -103,19 +103,19 @@ struct ColumnValue<std::string> {
   static void Cover(const std::string& value, ByteWriter& writer) { writer.PutText(value); }
 };
 
-// As bytes, little-endian, to the bit as in memory: SQLite's REAL turns -0.0 into 0 and NaN into NULL.
+// As little-endian bytes, exactly as in memory: SQLite's REAL turns -0.0 into 0 and NaN into NULL.
 
-/// 12 doubles: the upper three rows of the matrix, by rows.
+/// 12 doubles: the upper three rows of the matrix, row by row.
 Bytes ToBytes(const Transform& T);
 bool FromBytes(ByteView bytes, Transform& T);
 /// 4 doubles: centre, radius.
 Bytes ToBytes(const BoundingSphere& sphere);
 bool FromBytes(ByteView bytes, BoundingSphere& sphere);
-/// Nothing of one that is not known (null). Else 3 doubles: the map's vertical; u8: whether there is an outline. Of one
-/// 7 doubles: the box' centre, yaw and size; u8: whether it has a support height; that as double; the number of corners
-/// of the footprint as varint, and 2 doubles for each.
+/// Empty if unknown (null). Else 3 doubles: the map's vertical; u8: whether there is an outline, and if so 7 doubles:
+/// the box' centre, yaw and size; u8: whether it has a support height, and that as double; the number of corners of the
+/// footprint as varint, and 2 doubles for each.
 Bytes ToBytes(const std::shared_ptr<const LevelOutline>& outline);
-/// False, too, for numbers that are not finite.
+/// Also false for numbers that are not finite.
 bool FromBytes(ByteView bytes, std::shared_ptr<const LevelOutline>& outline);
 /// u8: 0 = a box, then 6 doubles: its low and high corner; 1 = a sphere, then as above. Metres, map frame.
 Bytes ToBytes(const Region& region);

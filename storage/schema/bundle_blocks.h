@@ -5,8 +5,8 @@
 
 namespace dhpmap {
 
-/// The work of step 7: the blobs of blocks, which were a row each, become tiles of blobs (codec/block_bundle.h), and
-/// their tables go. None is decoded, so a damaged one stays as damaged as it was.
+/// The work of step 7: blobs of single blocks, one row each, become bundles (codec/block_bundle.h), and their tables
+/// are dropped. Blobs are not decoded, so damaged ones stay as they are.
 extern const SchemaWork kBundleBlocks;
 
 }  // namespace dhpmap

@@ -16,19 +16,18 @@ inline constexpr std::int64_t kApplicationId = 0x6468704D;
 
 enum class SchemaState { kEmpty, kOlder, kCurrent };
 
-/// Looks, without writing, for what `steps` make. DATA_LOSS: not a database, or damaged. FAILED_PRECONDITION: another
-/// application's, or newer.
+/// Compares the database with `steps`, read-only. DATA_LOSS: not a database, or damaged. FAILED_PRECONDITION: of
+/// another application, or newer.
 Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps = ReleasedSteps());
 
-/// DATA_LOSS, reason BAD_SCHEMA, if a database that InspectSchema has accepted holds tables, triggers or views beside
-/// ours.
+/// DATA_LOSS, reason BAD_SCHEMA, if a database that InspectSchema accepts has foreign tables, triggers or views.
 Status CheckNothingElse(sqlite::Database& database);
 
-/// Hears of work that takes long: what it is at, in words for an operator's log.
+/// Reports long work, in a sentence for the operator's log.
 using SchemaProgress = std::function<void(const std::string& message)>;
 
-/// Does the steps that an empty or older database lacks, each in one transaction, and after each its work, in as many
-/// as that needs: after a failure or a crash the next call goes on from there.
+/// Runs the missing steps, each in one transaction, and after each its work, in several transactions: after a failure
+/// or crash the next call continues.
 Status MigrateSchema(sqlite::Database& database, SchemaSteps steps = ReleasedSteps(),
                      const SchemaProgress& progress = {});
 

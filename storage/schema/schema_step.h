@@ -9,23 +9,23 @@
 
 namespace dhpmap {
 
-/// What a step leaves to do that is too much for one transaction. It goes on where it was, however it ended.
+/// Work of a step that is too large for one transaction; resumable.
 struct SchemaWork {
-  /// Looks whether anything is left, without writing.
+  /// Whether any work is left; read-only.
   Result<bool> (*is_left)(sqlite::Database& database);
-  /// Up to `max_parts` of it, each of some kB, within the caller's transaction. Returns how much is left, 0 when it is
-  /// done.
+  /// Does up to `max_parts` of it, some kB each, within the caller's transaction. Returns the amount left, 0 at the
+  /// end.
   Result<std::int64_t> (*do_some)(sqlite::Database& database, std::int64_t max_parts);
-  const char* unit;  ///< what is counted, for messages
+  const char* unit;  ///< unit of the amount, for messages
 };
 
-/// What brings a database from one schema to the next: SQL, then code for what SQL cannot say. Runs in a transaction of
-/// its own. Never changed once released, so code names tables and columns as they are at that step, not by the lists in
-/// rows/. It also runs on an empty database, and must not end or begin a transaction.
+/// Migrates a database from one schema to the next: SQL, then code if SQL is not enough. Runs in its own transaction.
+/// Frozen once released, so code names tables and columns as of that step, not by the lists in rows/. Also runs on an
+/// empty database, and must not end or begin a transaction.
 struct SchemaStep {
   const char* sql = "";
-  Status (*run)(sqlite::Database& database) = nullptr;  ///< null: nothing more
-  const SchemaWork* work = nullptr;                     ///< after that, before the next step; null: none
+  Status (*run)(sqlite::Database& database) = nullptr;  ///< null: none
+  const SchemaWork* work = nullptr;                     ///< afterwards, before the next step; null: none
 };
 using SchemaSteps = std::span<const SchemaStep>;
 

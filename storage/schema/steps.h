@@ -11,7 +11,7 @@ namespace dhpmap {
 /// Entry i brings a database from schema i to i + 1.
 SchemaSteps ReleasedSteps();
 inline std::int64_t VersionOf(SchemaSteps steps) { return static_cast<std::int64_t>(steps.size()); }
-/// What this version reads and writes.
+/// Schema of this version.
 inline std::int64_t SchemaVersion() { return VersionOf(ReleasedSteps()); }
 
 /// The .sql files of this folder, by number from 1.

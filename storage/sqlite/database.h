@@ -16,7 +16,7 @@ namespace dhpmap::sqlite {
 
 enum class OpenMode {
   kReadOnly,
-  kReadOnlyImmutable,  ///< for files that nobody writes, in folders where SQLite cannot put its own files
+  kReadOnlyImmutable,  ///< for read-only files in folders where SQLite cannot create its own files
   kReadWrite,
   kReadWriteOrCreate,
 };
@@ -34,23 +34,23 @@ class Database {
   /// The first column of the first row.
   Result<std::int64_t> QueryInt(const std::string& sql, const char* task);
 
-  /// Of a file of somebody else: texts, blobs and rows beyond are errors.
+  /// For untrusted files: longer texts, blobs and rows are errors.
   void LimitLength(int max_bytes);
 
-  /// Gives back the memory of pages that are kept for later, which may be megabytes; they are read again when needed.
+  /// Frees the page cache, possibly megabytes.
   void ReleaseMemory();
-  /// Memory of SQLite in this process, all connections together.
+  /// Memory of SQLite in this process, over all connections.
   static std::int64_t BytesInUse();
 
-  /// Whether the file turned out not to be writable.
+  /// Whether the file cannot be written.
   [[nodiscard]] bool IsReadOnly() const;
   [[nodiscard]] bool InTransaction() const;
   /// Size of the write-ahead log's file; 0 if there is none.
   [[nodiscard]] std::int64_t NumLogBytes() const;
   [[nodiscard]] std::int64_t LastInsertRowId() const;
-  /// Rows that the last INSERT, UPDATE or DELETE changed, without what triggers did.
+  /// Rows changed by the last INSERT, UPDATE or DELETE, without those of triggers.
   [[nodiscard]] std::int64_t NumChanges() const;
-  /// Off: closing leaves the write-ahead log as it is. On by default.
+  /// Off: closing does not checkpoint the write-ahead log. On by default.
   void SetCheckpointOnClose(bool on);
 
  private:
@@ -63,9 +63,8 @@ class Database {
   std::unique_ptr<sqlite3, Closer> database_;
 };
 
-/// While it is there, a connection's statements end soon after `stop` is requested, with CANCELLED: those that run then
-/// and those that begin later. One at a time for a connection, which outlives
-/// it.
+/// During its lifetime, the connection's statements end with CANCELLED soon after a `stop` request. One at a time for a
+/// connection, which outlives it.
 class StoppedBy {
  public:
   StoppedBy(Database& database, std::stop_token stop);

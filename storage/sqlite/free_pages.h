@@ -8,27 +8,26 @@
 
 namespace dhpmap::sqlite {
 
-/// For a database without any table yet: its free pages can be given back, which costs a page in 820.
+/// For an empty database: allows it to shrink, at the cost of one page in 820.
 Status AllowGivingBack(Database& database);
-/// Whether they can: not in a database that was made without AllowGivingBack.
+/// Whether the database can shrink: not if it was created without AllowGivingBack.
 Result<bool> AllowsGivingBack(Database& database);
 
-/// Pages in the file that nothing uses.
+/// Unused pages in the file.
 Result<std::int64_t> NumFreePages(Database& database);
 
-/// Moves what is on the last pages into free ones, until `num_pages` are free at the end of the file and cut off: in
-/// the present transaction. The file itself is cut when the log is copied into it.
+/// Moves pages from the end into free ones, until `num_pages` are cut off the end, within the present transaction. The
+/// file itself is truncated by the next checkpoint.
 Status GiveBackPages(Database& database, std::int64_t num_pages);
 
-/// How far the write-ahead log was emptied.
+/// Result of a checkpoint.
 enum class LogState {
   kEmptied,
-  kInUse,  ///< somebody reads a state that needs it, or writes
+  kInUse,  ///< a reader pins it, or there is a writer
 };
-/// Copies the log into the file as far as readers allow, while commits go on: but see SpaceReclaimer::CopyLog.
+/// Copies the log into the file as far as readers allow, while commits continue: but see SpaceReclaimer::CopyLog.
 Result<LogState> CopyLog(Database& database);
-/// Copies the log into the file as far as readers allow; where it got to the end, cuts the log's file to nothing. No
-/// commit may run meanwhile.
+/// Copies the log into the file as far as readers allow; if complete, truncates the log. No commit may run meanwhile.
 Result<LogState> CutLog(Database& database);
 
 }  // namespace dhpmap::sqlite

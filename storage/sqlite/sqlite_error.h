@@ -11,8 +11,8 @@ namespace dhpmap::sqlite {
 /// message holds neither SQL nor a path, so that it may go to clients.
 Status ErrorFrom(int code, std::string_view task);
 
-/// The same for one that a statement gives which is right as far as tests can tell: what SQLite finds wrong with it
-/// (SQLITE_ERROR) is that a table or column is not there, as in a file that was cut off while it was open. DATA_LOSS.
+/// The same for a statement that is known to be correct: if SQLite rejects it (SQLITE_ERROR), a table or column is
+/// missing, as in a file truncated while open. DATA_LOSS.
 Status ErrorOfStatement(int code, std::string_view task);
 
 }  // namespace dhpmap::sqlite

@@ -14,9 +14,8 @@ struct sqlite3_stmt;
 
 namespace dhpmap::sqlite {
 
-/// A prepared statement. Bind its parameters in order, then Run it, or Step through its rows; either way it starts anew
-/// afterwards. Errors of binding come out of the next Step. Must not outlive its Database. Thread-compatible, together
-/// with the Database.
+/// A prepared statement. Bind its parameters in order, then Run it, or Step through its rows; afterwards it is reset.
+/// The next Step reports binding errors. Must not outlive its Database. Thread-compatible, together with the Database.
 class Statement {
  public:
   /// Takes over `statement`. `task` completes "cannot ..." in error messages; a literal.
@@ -30,14 +29,14 @@ class Statement {
   Statement& Bind(double value);
   Statement& Bind(std::string_view text);
   Statement& Bind(std::span<const std::uint8_t> bytes);
-  /// Of bytes that need not live longer than the call.
+  /// For bytes that need not outlive the call.
   Statement& BindCopy(std::span<const std::uint8_t> bytes);
 
   /// True: there is a row to read. False: done.
   Result<bool> Step();
-  /// Steps to the end, without interest in rows.
+  /// Steps to the end and ignores rows.
   Status Run();
-  /// Ends stepping before the last row. Parameters have to be bound again.
+  /// Ends stepping before the last row. Parameters must be bound again.
   void Reset();
 
   // Columns of the row, from 0. Views are valid until the next Step, Run or Reset.
@@ -59,8 +58,8 @@ class Statement {
   int bind_error_ = 0;
 };
 
-/// Reads the columns of the row that a statement is at, in their order, as Bind binds parameters. Views are valid until
-/// the statement's next Step, Run or Reset.
+/// Reads the columns of the present row in order, as Bind binds parameters. Views are valid until the statement's next
+/// Step, Run or Reset.
 class Columns {
  public:
   explicit Columns(const Statement& statement) : statement_(statement) {}

@@ -8,19 +8,19 @@
 
 namespace dhpmap::sqlite {
 
-/// Undone at the end of its life unless committed. The Database must outlive it; one at a time.
+/// Rolled back by its destructor unless committed. The Database must outlive it; one at a time.
 class Transaction {
  public:
-  /// One state of the database for everything read until the end.
+  /// A consistent state of the database for all reads until the end.
   static Result<Transaction> BeginRead(Database& database);
-  /// Takes the right to write at once: UNAVAILABLE if another connection keeps it longer than the busy timeout.
+  /// Takes the write lock at once: UNAVAILABLE if another connection holds it longer than the busy timeout.
   static Result<Transaction> BeginWrite(Database& database);
 
   Transaction(Transaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
   Transaction& operator=(Transaction&&) = delete;
   ~Transaction();
 
-  /// On error nothing was written.
+  /// On error nothing is written.
   Status Commit();
 
  private:

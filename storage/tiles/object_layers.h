@@ -13,7 +13,7 @@
 
 namespace dhpmap {
 
-/// How many blocks of each layer a submap has, and the size of their blobs.
+/// Number of blocks of each layer of a submap, and the size of their blobs.
 struct SubmapCounts {
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
@@ -21,16 +21,16 @@ struct SubmapCounts {
   std::int64_t blob_bytes = 0;
 };
 
-/// A layer of objects as it is stored: a blob for each tile that has something of it.
+/// The stored form of a layer of objects: a blob for each tile that has it.
 struct ObjectLayer {
   BlockLayer layer;
-  std::uint8_t number;  ///< column tiles.layer: the high half of the first byte of its blobs. Kept in files.
+  std::uint8_t number;  ///< column tiles.layer: the high half of the first byte of its blobs; never reused
   std::string_view name;
-  std::int64_t SubmapCounts::*count;  ///< null for a layer that no column counts
+  std::int64_t SubmapCounts::*count;  ///< null if no column counts it
 
-  /// The layer of a tile that has some of it, whose blocks are of `submap`.
+  /// Encodes the layer of a tile, which has some of it, of `submap`.
   Bytes (*encode)(const BlockTile& tile, TileIndex index, const SubmapInfo& submap);
-  /// Adds the layer to what a tile has. Errors as Unseal; then what was added is undefined.
+  /// Adds the layer to a tile. Errors as Unseal; the tile is then undefined.
   Status (*decode)(ByteView blob, TileIndex index, BlockTile& tile);
 };
 
@@ -42,9 +42,9 @@ const ObjectLayer* FindObjectLayer(std::int64_t number);
 /// "submap 3: tsdf tile (1, -2, 0)", for messages.
 std::string TileName(std::uint32_t submap_id, std::int64_t layer, TileIndex index);
 
-/// Of all of a submap; reads no blocks, and leaves blob_bytes at 0.
+/// For a whole submap; reads no blocks, and leaves blob_bytes at 0.
 SubmapCounts CountBlocks(const Submap& submap);
-/// Whether as many blocks of each layer are there as are said to be. DATA_LOSS, to be put behind the submap's name.
+/// Compares the block counts of all layers. DATA_LOSS, to be prefixed by the submap's name.
 Status CheckCounts(const SubmapCounts& found, const SubmapCounts& stored);
 
 }  // namespace dhpmap

@@ -93,7 +93,7 @@ Result<std::string> MapWithin(const BudgetBenchOptions& options, const std::stri
   info.label_set = std::make_shared<const LabelSet>(std::move(labels));
   const std::string path = folder + "/" + std::to_string(budget_mib) + ".db";
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(path, {.pages_tiles = budget_mib > 0}));
-  SessionOptions session_options;
+  OpenMapOptions session_options;
   session_options.mapping.refinement_timing = RefinementTiming::kReproducible;
   session_options.commit.max_behind_s = 1e9;
   session_options.pages.budget_bytes = budget_mib << 20;
@@ -103,7 +103,7 @@ Result<std::string> MapWithin(const BudgetBenchOptions& options, const std::stri
   DHPMAP_ASSIGN_OR_RETURN(const auto registry,
                           MapRegistry::Open(*store, std::move(session_options), {.idle_close_s = 0}));
   DHPMAP_RETURN_IF_ERROR(registry->Create(std::move(info)).status());
-  DHPMAP_ASSIGN_OR_RETURN(const auto session, registry->OpenSession(kMapName));
+  DHPMAP_ASSIGN_OR_RETURN(const auto session, registry->GetOpen(kMapName));
   double fused_s = 0;
   std::size_t most_block_bytes = 0, num_frames = 0;
   const std::size_t wanted = options.num_frames == 0 ? dataset->num_frames() : options.num_frames;
@@ -133,7 +133,7 @@ Result<std::string> MapWithin(const BudgetBenchOptions& options, const std::stri
                         {"ms_a_frame", 1e3 * fused_s / static_cast<double>(std::max<std::size_t>(num_frames, 1))},
                         {"finish_s", finish_s},
                         {"tiles_read", pages.num_reads},
-                        {"tiles_let_go", pages.num_let_go},
+                        {"tiles_let_go", pages.num_evicted},
                         {"most_block_bytes", most_block_bytes},
                         {"sum", sum.value()}}
       .dump();

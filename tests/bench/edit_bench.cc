@@ -176,7 +176,7 @@ class EditedMap {
     SqliteStoreOptions store_options;
     store_options.edits.max_history_bytes = std::int64_t{4} << 30;
     DHPMAP_ASSIGN_OR_RETURN(store_, OpenSqliteStore(path_, store_options));
-    DHPMAP_ASSIGN_OR_RETURN(registry_, MapRegistry::Open(*store_, SessionOptions{}, {.idle_close_s = 0}));
+    DHPMAP_ASSIGN_OR_RETURN(registry_, MapRegistry::Open(*store_, OpenMapOptions{}, {.idle_close_s = 0}));
     MapInfo info;
     info.name = kMapOfEdits;
     info.config.voxel_size_m = kVoxel_m;
@@ -185,7 +185,7 @@ class EditedMap {
                             LabelSet::Create({{.id = kCup, .name = "cup"}, {.id = kBowl, .name = "bowl"}}));
     info.label_set = std::make_shared<LabelSet>(std::move(labels));
     DHPMAP_RETURN_IF_ERROR(registry_->Create(std::move(info)).status());
-    DHPMAP_ASSIGN_OR_RETURN(session_, registry_->OpenSession(kMapOfEdits));
+    DHPMAP_ASSIGN_OR_RETURN(session_, registry_->GetOpen(kMapOfEdits));
     return Do([&](Map& map) -> Result<EditMade> {
       things_ = MakeThings(num_voxels, map);
       return EditMade{};
@@ -221,7 +221,7 @@ class EditedMap {
   const std::string path_;
   std::unique_ptr<MapStore> store_;
   std::unique_ptr<MapRegistry> registry_;
-  std::shared_ptr<MapSession> session_;
+  std::shared_ptr<OpenMap> session_;
   Things things_;
 };
 

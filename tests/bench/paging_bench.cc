@@ -164,7 +164,7 @@ Result<std::string> MeasureBudget(const std::string& path, std::int64_t budget_m
   const AnonymousPeak peak;
   const auto begin = PagingClock::now();
   DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(path, {.pages_tiles = budget_mib > 0}));
-  SessionOptions options;
+  OpenMapOptions options;
   options.mapping.num_threads = 1;
   options.pages.budget_bytes = budget_mib << 20;
   if (budget_mib > 0) {
@@ -182,7 +182,7 @@ Result<std::string> MeasureBudget(const std::string& path, std::int64_t budget_m
   }
   const PageCounts pages = CountPages();
   told["tiles_read"] = pages.num_reads;
-  told["tiles_let_go"] = pages.num_let_go;
+  told["tiles_let_go"] = pages.num_evicted;
   told["anonymous_peak_bytes"] = std::max(peak.bytes(), AnonymousBytes());
   return told.dump();
 }

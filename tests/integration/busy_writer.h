@@ -4,14 +4,14 @@
 #include <future>
 #include <memory>
 
-#include "server/app/session/map_session.h"
+#include "server/app/open_map/open_map.h"
 
 namespace dhpmap::testing {
 
 /// Keeps the writer of a map busy from here to the end of life.
 class BusyWriter {
  public:
-  explicit BusyWriter(MapSession& session) {
+  explicit BusyWriter(OpenMap& session) {
     auto begun = std::make_shared<std::promise<void>>();
     const auto has_begun = begun->get_future();
     session.Edit(

@@ -27,8 +27,8 @@ class InflightBytes : public ::testing::Test {
   }
 
   /// So that what is of an old state is of nobody but who holds it.
-  static SessionOptions KeepsNoPast() {
-    SessionOptions options;
+  static OpenMapOptions KeepsNoPast() {
+    OpenMapOptions options;
     options.history.max_states = 0;
     return options;
   }

@@ -34,7 +34,7 @@ class EditLogTest : public ::testing::Test {
     auto opened = OpenSqliteStore((folder.path() / "maps.db").string());
     ASSERT_OK(opened);
     store = std::move(opened).value();
-    SessionOptions session;
+    OpenMapOptions session;
     session.now_ns = [this] { return now_ns.load(); };
     server = std::make_unique<TestServer>(*store, session);
   }

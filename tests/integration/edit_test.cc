@@ -203,7 +203,7 @@ TEST_F(EditTest, ErrorsCarryTheirReasonAndFields) {
 
 TEST_F(EditTest, WhatIsAPartOfAnotherIsAnsweredWithItsNameOverARestart) {
   std::promise<bool> merged;
-  const auto session = server.registry().OpenSession("room");
+  const auto session = server.registry().GetOpen("room");
   ASSERT_OK(session);
   const SubmapId from(static_cast<std::uint32_t>(box.instance_id())),
       into(static_cast<std::uint32_t>(ball.instance_id()));

@@ -25,7 +25,7 @@ grpc::Status Delete(TestServer& server, const std::string& map_id) {
 }
 
 /// Nothing is stored but by a full sync at a stream's end.
-const SessionOptions kLazy{.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}};
+const OpenMapOptions kLazy{.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}};
 
 TEST(Feeds, NoAcknowledgementSaysMoreThanTheStoreHolds) {
   FailingStore store;
@@ -64,7 +64,7 @@ TEST(Feeds, TheLastFramesAcknowledgementComesWhenAllIsStored) {
   Feeder feeder(server, "room");
   ASSERT_FALSE(feeder.Feed(0)->has_committed_sequence());
   {
-    const BusyWriter busy(**server.registry().OpenSession("room"));
+    const BusyWriter busy(**server.registry().GetOpen("room"));
     for (int i = 1; i < 4; ++i) ASSERT_TRUE(feeder.Send(i, i, /*is_last=*/i == 3));
     // Other calls come and go meanwhile: the server has seen the end of the stream long before.
     for (int i = 0; i < 100; ++i) {
@@ -258,7 +258,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
     EXPECT_EQ(refused.error_code(), grpc::ABORTED);
     EXPECT_EQ(ReasonOf(refused), "MAP_IS_FED");
   }
-  const auto session = *server.registry().OpenSession("room");
+  const auto session = *server.registry().GetOpen("room");
   {
     const BusyWriter busy(*session);
     for (int i = 1; i < 4; ++i) ASSERT_TRUE(first.Send(i, i));

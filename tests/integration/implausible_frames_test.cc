@@ -18,9 +18,7 @@ class FramesThatDoNotFit : public ::testing::Test {
     EXPECT_TRUE(server_.maps->CreateMap(&context, CreateRequest("room"), &response).ok());
   }
 
-  std::int64_t NumFrames() {
-    return server_.registry().OpenSession("room").value()->View()->snapshot().info().num_frames;
-  }
+  std::int64_t NumFrames() { return server_.registry().GetOpen("room").value()->View()->snapshot().info().num_frames; }
 
   const std::unique_ptr<MapStore> store_ = MakeMemoryStore();
   TestServer server_{*store_};

@@ -30,7 +30,7 @@ class MapFileCalls : public ::testing::Test {
   }
   void Start(const RegistryOptions& options = {}, GrpcOptions grpc = {}) {
     server_ = nullptr;
-    server_ = std::make_unique<TestServer>(*store_, SessionOptions{}, std::move(grpc), GrpcObserver{}, options);
+    server_ = std::make_unique<TestServer>(*store_, OpenMapOptions{}, std::move(grpc), GrpcObserver{}, options);
   }
 
   grpc::Status Export(const std::string& map, std::string& bytes) {

@@ -17,7 +17,7 @@ class MappedScene : public ::testing::Test {
   static void SetUpTestSuite() { SetUpWith({}); }
   static void SetUpWith(GrpcOptions options, int num_frames = 30) {
     store_ = MakeMemoryStore();
-    server_ = std::make_unique<TestServer>(*store_, SessionOptions{}, std::move(options));
+    server_ = std::make_unique<TestServer>(*store_, OpenMapOptions{}, std::move(options));
     ASSERT_OK(server_->Call(&MapStub::CreateMap, CreateRequest("room")));
     ASSERT_OK(Feed(*server_, "room", 0, num_frames));
     ASSERT_OK(server_->Call(&MappingStub::FinishMapping, "maps/room"));

@@ -30,7 +30,7 @@ class PreconditionTest : public ::testing::Test {
     }
     ASSERT_TRUE(ball_.instance_id() > 0 && box_.instance_id() > 0);
   }
-  void Start(const std::string& file, const SessionOptions& session = {}) {
+  void Start(const std::string& file, const OpenMapOptions& session = {}) {
     server_ = nullptr;
     store_ = nullptr;
     auto opened = OpenSqliteStore(Path(file));

@@ -23,7 +23,7 @@ class ReadRevision : public ::testing::Test {
   void Begin(std::size_t max_kept_states) {
     server.reset();
     store = MakeMemoryStore();
-    SessionOptions options{.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}};
+    OpenMapOptions options{.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}};
     options.history.max_states = max_kept_states;
     server = std::make_unique<TestServer>(*store, std::move(options));
     EXPECT_OK(server->Call(&MapStub::CreateMap, CreateRequest("room")));

@@ -23,7 +23,7 @@ class RecordedEdits : public ::testing::Test {
  protected:
   /// A server whose every frame is a revision, and whose refinements are taken over at their turn.
   std::unique_ptr<TestServer> MakeServer(MapStore& store, const std::string& map_id, bool records) {
-    SessionOptions options{.mapping = {.num_threads = 1, .refinement_timing = RefinementTiming::kReproducible},
+    OpenMapOptions options{.mapping = {.num_threads = 1, .refinement_timing = RefinementTiming::kReproducible},
                            .publish = {.frames = 1}};
     if (records) {
       options.make_recorder = [this](const MapInfo& map) {
@@ -37,7 +37,7 @@ class RecordedEdits : public ::testing::Test {
     return server;
   }
   static std::shared_ptr<const MapSnapshot> Now(TestServer& server, const std::string& map_id) {
-    return (*server.registry().OpenSession(map_id))->View()->shared_snapshot();
+    return (*server.registry().GetOpen(map_id))->View()->shared_snapshot();
   }
   [[nodiscard]] RecordReader Reader() const {
     std::vector<std::string> files;

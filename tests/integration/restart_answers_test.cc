@@ -212,7 +212,7 @@ TEST_F(RestartAnswers, AreTheSameBytesAtAnyMemoryBudget) {
     }
     EXPECT_GT(CountPages().num_reads, before);
   }
-  EXPECT_TRUE(Eventually([] { return CountPages().num_let_go > 0; })) << "of a budget of nothing";
+  EXPECT_TRUE(Eventually([] { return CountPages().num_evicted > 0; })) << "of a budget of nothing";
 }
 
 TEST_F(RestartAnswers, ThatNeedMoreThanRequestsMayHoldAreRefusedAndAllElseGoesOn) {

@@ -20,8 +20,8 @@ class RestoreRevisionTest : public ::testing::Test {
     EXPECT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
     EXPECT_OK(Feed(server, "room", 0, 10));
   }
-  static SessionOptions KeepsFew() {
-    SessionOptions options;
+  static OpenMapOptions KeepsFew() {
+    OpenMapOptions options;
     options.history.max_states = 6;
     return options;
   }

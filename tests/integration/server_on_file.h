@@ -26,7 +26,7 @@ class ServerOnFile : public ::testing::Test {
     store = std::move(*opened);
     auto spill = page_bytes > 0 ? OpenTileSpill(dir.path().string()).value() : nullptr;
     server = std::make_unique<TestServer>(
-        *store, SessionOptions{.pages = {.budget_bytes = page_bytes, .spill = std::move(spill)}});
+        *store, OpenMapOptions{.pages = {.budget_bytes = page_bytes, .spill = std::move(spill)}});
   }
   void Restart() {
     ASSERT_OK(server->Stop());
@@ -36,7 +36,7 @@ class ServerOnFile : public ::testing::Test {
   }
 
   TempDir dir;
-  std::int64_t page_bytes = 0;  ///< of the server that is started next: see SessionOptions
+  std::int64_t page_bytes = 0;  ///< of the server that is started next: see OpenMapOptions
   std::unique_ptr<MapStore> store;
   std::unique_ptr<TestServer> server;
 };

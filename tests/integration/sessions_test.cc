@@ -43,7 +43,7 @@ grpc::Status End(TestServer& server, const std::string& map_id, const std::strin
 }
 
 std::shared_ptr<const MapSnapshot> StateOf(TestServer& server, const std::string& map_id) {
-  return (*server.registry().OpenSession(map_id))->View()->shared_snapshot();
+  return (*server.registry().GetOpen(map_id))->View()->shared_snapshot();
 }
 
 TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
@@ -92,7 +92,7 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
   const std::int64_t revision = StateOf(server, "room")->revision();
   std::future<void> reader;
   {
-    const BusyWriter held(**server.registry().OpenSession("room"));
+    const BusyWriter held(**server.registry().GetOpen("room"));
     auto sent = std::async(std::launch::async, [&] {
       for (int i = 1; i <= kFlood; ++i) ASSERT_TRUE(flood.Send(i, i % 8));
     });
@@ -158,7 +158,7 @@ TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
   Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
   ASSERT_TRUE(a.Feed(0) && b.Feed(0));
   {
-    const BusyWriter held(**server.registry().OpenSession("room"));
+    const BusyWriter held(**server.registry().GetOpen("room"));
     for (int i = 1; i < 4; ++i) ASSERT_TRUE(a.Send(i, i));
     ASSERT_OK(End(server, "room", "a"));
   }
@@ -224,7 +224,7 @@ TEST(Sessions, FinishingShowsInAWatchAndCanBeCancelled) {
   grpc::ClientContext finishing;
   std::future<grpc::Status> finished;
   {
-    const BusyWriter held(**server.registry().OpenSession("room"));
+    const BusyWriter held(**server.registry().GetOpen("room"));
     finished = std::async(std::launch::async, [&] {
       v1::FinishMappingRequest finish;
       finish.set_map("maps/room");

@@ -40,7 +40,7 @@ class FrameWitness final : public FrameRecorder {
 TEST(Shutdown, GivesUpTheFrameInHandOnceTheGraceIsOver) {
   constexpr int kFrames = 4, kInHand = 1;
   std::promise<void> in_hand;
-  std::atomic<const MapSession*> room = nullptr;
+  std::atomic<const OpenMap*> room = nullptr;
   std::atomic<int> num_refused = 0;
   const auto hold = [&](std::int64_t sequence) {
     if (sequence != kInHand) return;
@@ -55,7 +55,7 @@ TEST(Shutdown, GivesUpTheFrameInHandOnceTheGraceIsOver) {
   TestServer server(*store,
                     {.make_recorder = [&](const MapInfo&) { return std::make_unique<FrameWitness>(hold, count); }});
   ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
-  const std::shared_ptr<MapSession> session = *server.registry().OpenSession("room");
+  const std::shared_ptr<OpenMap> session = *server.registry().GetOpen("room");
   room = session.get();
   const MapInfo info = session->View()->snapshot().info();
 

@@ -15,7 +15,7 @@ namespace {
 
 class StreamCaps : public ::testing::Test {
  protected:
-  void Begin(const SessionOptions& options) {
+  void Begin(const OpenMapOptions& options) {
     server = std::make_unique<TestServer>(*store, options);
     ASSERT_OK(server->Call(&MapStub::CreateMap, CreateRequest("room")));
   }

@@ -35,10 +35,10 @@ GrpcOptions OnFreePort(GrpcOptions options) {
   return options;
 }
 
-SessionOptions WithOneThread(SessionOptions options) {
+OpenMapOptions WithOneThread(OpenMapOptions options) {
   options.mapping.num_threads = 1;
-  BePatient(options.commit.max_behind_s, SessionOptions().commit.max_behind_s);
-  BePatient(options.feeds.idle_s, SessionOptions().feeds.idle_s);
+  BePatient(options.commit.max_behind_s, OpenMapOptions().commit.max_behind_s);
+  BePatient(options.feeds.idle_s, OpenMapOptions().feeds.idle_s);
   return options;
 }
 
@@ -52,7 +52,7 @@ std::shared_ptr<grpc::Channel> OwnChannel(int port) {
 
 }  // namespace
 
-TestServer::Doors TestServer::Open(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer,
+TestServer::Doors TestServer::Open(MapStore& store, OpenMapOptions session, GrpcOptions grpc, GrpcObserver observer,
                                    const RegistryOptions& registry_options) {
   auto registry = ValueOrDie(MapRegistry::Open(store, WithOneThread(std::move(session)), registry_options));
   auto door = ValueOrDie(GrpcServer::Start(OnFreePort(std::move(grpc)), *registry, std::move(observer)));
@@ -60,7 +60,7 @@ TestServer::Doors TestServer::Open(MapStore& store, SessionOptions session, Grpc
   return {.registry = std::move(registry), .grpc = std::move(door)};
 }
 
-TestServer::TestServer(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer,
+TestServer::TestServer(MapStore& store, OpenMapOptions session, GrpcOptions grpc, GrpcObserver observer,
                        const RegistryOptions& registry)
     : TestServer(Open(store, std::move(session), std::move(grpc), std::move(observer), registry)) {}
 

@@ -20,7 +20,7 @@ namespace dhpmap::testing {
 /// with one thread, and gives nobody up for being slow, unless the options say when.
 class TestServer : public Client {
  public:
-  explicit TestServer(MapStore& store, SessionOptions session = {}, GrpcOptions grpc = {}, GrpcObserver observer = {},
+  explicit TestServer(MapStore& store, OpenMapOptions session = {}, GrpcOptions grpc = {}, GrpcObserver observer = {},
                       const RegistryOptions& registry = {});
   /// Waits for no call.
   ~TestServer();
@@ -43,7 +43,7 @@ class TestServer : public Client {
     std::unique_ptr<MapRegistry> registry;
     std::unique_ptr<GrpcServer> grpc;
   };
-  static Doors Open(MapStore& store, SessionOptions session, GrpcOptions grpc, GrpcObserver observer,
+  static Doors Open(MapStore& store, OpenMapOptions session, GrpcOptions grpc, GrpcObserver observer,
                     const RegistryOptions& registry);
   explicit TestServer(Doors doors);
 

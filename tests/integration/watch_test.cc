@@ -16,7 +16,7 @@ class WatchTest : public ::testing::Test {
  protected:
   void Begin(const ChangeHistoryLimits& limits = {}, const RegistryOptions& options = {}) {
     store = MakeMemoryStore(limits);
-    server = std::make_unique<TestServer>(*store, SessionOptions{}, GrpcOptions{}, GrpcObserver{}, options);
+    server = std::make_unique<TestServer>(*store, OpenMapOptions{}, GrpcOptions{}, GrpcObserver{}, options);
     CreateMap();
   }
   void CreateMap() {
@@ -278,11 +278,11 @@ TEST_F(WatchTest, NeitherOpensAMapNorKeepsItOpen) {
   Watcher watcher(*server->watches, From(1));
   v1::WatchMapResponse message;
   ASSERT_TRUE(watcher.Read(message));
-  EXPECT_TRUE(server->registry().OpenSessions().empty());
+  EXPECT_TRUE(server->registry().OpenMaps().empty());
   ASSERT_OK(Feed(*server, "room", 0, 3));
   EXPECT_TRUE(Eventually([&] {
     server->registry().CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1000));
-    return server->registry().OpenSessions().empty();
+    return server->registry().OpenMaps().empty();
   }));
   const std::int64_t renamed = Rename(AnyThing(), "open again");
   HeldSubmaps held{v1::ListSubmapsResponse()};
@@ -366,7 +366,7 @@ TEST_F(WatchTest, AChangeOfManySubmapsComesInMessagesOfWhichTheLastSaysSo) {
   Begin();
   ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t thing = AnyThing();
-  const auto session = server->registry().OpenSession("room");
+  const auto session = server->registry().GetOpen("room");
   ASSERT_OK(session);
   const std::int64_t before = List().revision();
   std::promise<bool> is_made;

@@ -36,9 +36,9 @@ void AddBackupCommand(CLI::App& app, Session& session) {
     bool replaces = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("backup", "Copy the server's database, all maps, while it goes on working");
+  CLI::App* command = app.add_subcommand("backup", "Copy the server's database with all maps, while it keeps running");
   command->add_option("file", options->path, "File to write, - for stdout")->required();
-  command->add_flag("--force", options->replaces, "Replace the file if there is one");
+  command->add_flag("--force", options->replaces, "Overwrite an existing file");
   command->callback([options, &session] { session.exit_code = RunBackup(session, options->path, options->replaces); });
 }
 

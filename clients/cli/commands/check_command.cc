@@ -235,7 +235,7 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
 
 void AddCheckCommands(CLI::App& query, Session& session) {
   auto collision = std::make_shared<CollisionFlags>();
-  CLI::App* collisions = query.add_subcommand("collisions", "Do these bodies touch anything?");
+  CLI::App* collisions = query.add_subcommand("collisions", "Check spheres, boxes and capsules for collisions");
   collisions->add_option("map", collision->check.map, "Name of the map")->required();
   collisions->add_option("spheres", collision->spheres, "X Y Z RADIUS [X Y Z RADIUS ...], in m");
   collisions->add_option("--box", collision->boxes, "X Y Z of the middle and three sizes [...]: along the map's axes");
@@ -245,12 +245,13 @@ void AddCheckCommands(CLI::App& query, Session& session) {
   collisions->callback([collision, &session] { session.exit_code = RunCollisions(session, *collision); });
 
   auto motion = std::make_shared<TrajectoryFlags>();
-  CLI::App* trajectory = query.add_subcommand("trajectory", "Can a robot go this way?");
+  CLI::App* trajectory = query.add_subcommand("trajectory", "Check a robot's trajectory for collisions");
   trajectory->add_option("map", motion->check.map, "Name of the map")->required();
   trajectory->add_option("waypoints", motion->waypoints, "X Y Z YAW_DEG [X Y Z YAW_DEG ...]")->required();
   trajectory->add_option("--robot", motion->robot, "X Y Z RADIUS [...]: its spheres, in its own frame");
   trajectory->add_option("--attached", motion->attached, "Ids of objects that it takes up at the first");
-  trajectory->add_flag("--clearance", motion->with_clearance, "Tell how near it comes to surfaces, where and whose");
+  trajectory->add_flag("--clearance", motion->with_clearance,
+                       "Report the smallest distance to surfaces, its place and object");
   AddAllowFlags(*trajectory, "sphere of the robot", motion->check.allow);
   AddCheckFlags(*trajectory, motion->check);
   trajectory->callback([motion, &session] { session.exit_code = RunTrajectory(session, *motion); });

@@ -42,7 +42,7 @@ ExitCode RunCompletionMaps(const Session& session) {
 
 void AddCompletionCommand(CLI::App& app, Session& session) {
   CLI::App* completion = app.add_subcommand("completion",
-                                            "What completes command lines; add to ~/.bashrc:\n"
+                                            "Print shell completions; add to ~/.bashrc:\n"
                                             "  source <(dhpmap completion bash)");
   completion->require_subcommand(1);
   completion->add_subcommand("bash", "Print the script for bash: commands, options, names of maps")->callback([&app] {

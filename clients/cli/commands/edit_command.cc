@@ -392,18 +392,17 @@ void AddIgnoredRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>
 void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
   CLI::App* merge = AddEdit(edit, "merge", "Make other things parts of it", options, session, RunMerge);
   merge->add_option("others", options->others, "Instance ids of the others")->required();
-  CLI::App* split =
-      AddEdit(edit, "split", "Make its connected parts objects of their own, or what lies in a box or before a plane",
-              options, session, RunSplit);
+  CLI::App* split = AddEdit(edit, "split", "Split off its connected parts, or the part in a box or before a plane",
+                            options, session, RunSplit);
   CLI::Option* box =
-      split->add_option("--box", options->box_m, "What lies in the box X Y Z to X Y Z (metres)")->expected(6);
-  split->add_option("--plane", options->plane, "What lies beyond the point X Y Z along the normal X Y Z")
+      split->add_option("--box", options->box_m, "The part in the box X Y Z to X Y Z (metres)")->expected(6);
+  split->add_option("--plane", options->plane, "The part beyond the point X Y Z along the normal X Y Z")
       ->expected(6)
       ->excludes(box);
   split->add_option("--min-voxels", options->min_voxels, "Smaller connected parts stay [16]");
   split->add_option("--class", options->class_name,
                     "Class of things that the parts become: of a background you have to say it");
-  CLI::App* clear = AddMapEdit(edit, "clear", "Forget what was observed within a region", options, session, RunClear);
+  CLI::App* clear = AddMapEdit(edit, "clear", "Clear the observations in a region", options, session, RunClear);
   clear->add_option("--id", options->id, "Of this object only");
   clear->add_option("--class", options->classes, "Of objects of this class only; may be repeated")
       ->allow_extra_args(false);
@@ -424,7 +423,7 @@ void AddMotionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& optio
   place->add_option("on", options->support, "Instance id of the other")->required();
   place->add_option("--at", options->at_m, "There, X Y (metres) [the middle of its upper side]")->expected(2);
   for (CLI::App* command : {move, turn, shift, place}) {
-    command->add_flag("--include-supported", options->include_supported, "With what stands on it, and on that");
+    command->add_flag("--include-supported", options->include_supported, "Also move the things that rest on it");
   }
 }
 

@@ -79,7 +79,7 @@ void AddGridCommand(CLI::App& query, Session& session) {
   CLI::App* grid = query.add_subcommand("grid", "Distances at the nodes of a grid, as a NumPy array [z, y, x]");
   grid->add_option("map", command->map, "Name of the map")->required();
   grid->add_option("--box", command->box_m, "MIN_X MIN_Y MIN_Z MAX_X MAX_Y MAX_Z in m")->expected(6)->required();
-  grid->add_option("--resolution", command->resolution_m, "From node to node, in m")->capture_default_str();
+  grid->add_option("--resolution", command->resolution_m, "Spacing of the nodes, in m")->capture_default_str();
   AddQueryFlags(*grid, command->query);
   AddPaddingFlag(*grid, command->padding_m);
   grid->add_option("--out", command->file, "FILE.npy, - for stdout")->required();

@@ -75,7 +75,7 @@ ExitCode RunLog(const Session& session, const LogOptions& options) {
 }  // namespace
 
 void AddLogCommand(CLI::App& app, Session& session) {
-  CLI::App* log = app.add_subcommand("log", "Who has edited what of a map, the newest first");
+  CLI::App* log = app.add_subcommand("log", "List the edits of a map, the newest first");
   auto options = std::make_shared<LogOptions>();
   log->add_option("map", options->map, "Name of the map")->required();
   log->add_option("--author", options->author, "Edits of this author only");

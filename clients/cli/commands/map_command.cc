@@ -195,7 +195,7 @@ ExitCode RunMap(const Session& session, const MapOptions& options) {
 
 void AddMapCommand(CLI::App& app, Session& session) {
   auto options = std::make_shared<MapOptions>();
-  CLI::App* command = app.add_subcommand("map", "Stream a data set into a map, which is created if it is not there");
+  CLI::App* command = app.add_subcommand("map", "Stream a data set into a map; creates the map if it does not exist");
   command->add_option("directory", options->directory, "Root of the data set, or one of its recordings")->required();
   command->add_option("--map", options->map.name, "Name of the map")->required();
   command->add_option("--format", options->format, "Layout of the data set")
@@ -210,22 +210,21 @@ void AddMapCommand(CLI::App& app, Session& session) {
       ->check(CLI::IsMember({"auto", "persistent", "framewise"}))
       ->capture_default_str();
   command->add_option("--start", options->selection.start, "Index of the first frame");
-  command->add_option("--frames", options->selection.frames, "Look at so many frames only");
+  command->add_option("--frames", options->selection.frames, "Number of frames to use");
   command->add_option("--every", options->selection.every, "Take every Kth of them")->check(CLI::PositiveNumber);
   command->add_option("--skip-every", options->selection.skip_every, "Hold out frames K-1, 2K-1, ...")
       ->check(CLI::PositiveNumber);
   AddNewMapOptions(*command, options->map);
   command->add_flag("--keep-moving-points", options->keep_moving_points,
                     "Keep LiDAR points that the data set's labels call moving or unlabelled");
-  command->add_flag("--no-finish", options->no_finish, "Leave the session open: do not call FinishMapping at the end");
-  command->add_option("--session", options->session,
-                      "Name of this stream: after a lost connection, or when run again, it goes on where it was");
+  command->add_flag("--no-finish", options->no_finish, "Do not call FinishMapping at the end");
+  command->add_option("--session", options->session, "Feed session: resumes after a lost connection or when run again");
   command->add_option("--reconnect-s", options->reconnect_s, "In a session: how long to try after a lost connection")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_flag("--take-over", options->take_over, "End the streams that feed the map now, if there are any");
+  command->add_flag("--take-over", options->take_over, "Replace the active streams of the map");
   command->add_flag("--refuse-implausible", options->refuse_implausible,
-                    "Have frames refused that do not fit what is known, instead of a warning");
+                    "Refuse implausible frames instead of warning of them");
   command->callback([options, &session] { session.exit_code = RunMap(session, *options); });
 }
 

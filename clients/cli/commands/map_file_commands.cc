@@ -92,16 +92,15 @@ ExitCode RunImport(const Session& session, const ImportFile& options) {
 
 void AddMapFileCommands(CLI::App& maps, Session& session) {
   auto out = std::make_shared<ExportFile>();
-  CLI::App* exporting = maps.add_subcommand("export", "Write one map to a file, as committed, while mapping goes on");
+  CLI::App* exporting = maps.add_subcommand("export", "Write one map to a file, as committed, while mapping continues");
   exporting->add_option("map", out->map, "Name of the map")->required();
   exporting->add_option("file", out->path, "File to write, - for stdout")->required();
-  exporting->add_flag("--force", out->replaces, "Replace the file if there is one");
+  exporting->add_flag("--force", out->replaces, "Overwrite an existing file");
   exporting->callback([out, &session] { session.exit_code = RunExport(session, *out); });
   auto in = std::make_shared<ImportFile>();
-  CLI::App* importing =
-      maps.add_subcommand("import", "Take in a map that was exported, by this version or an older one");
+  CLI::App* importing = maps.add_subcommand("import", "Import a map exported by this version or an older one");
   importing->add_option("file", in->path, "File to read")->required();
-  importing->add_option("--map", in->map, "Name of the new map; default: the one that it had");
+  importing->add_option("--map", in->map, "Name of the new map; default: its name in the file");
   importing->callback([in, &session] { session.exit_code = RunImport(session, *in); });
 }
 

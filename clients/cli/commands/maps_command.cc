@@ -247,11 +247,12 @@ void AddMapsCommands(CLI::App& app, Session& session) {
   create->add_option("map", options->map.name, "Name of the new map")->required();
   AddNewMapOptions(*create, options->map);
   create->add_option("--dataset", options->dataset, "Take preset and classes from this data set");
-  create->add_option("--labels", options->labels, "Whose classes: predicted or groundtruth")->capture_default_str();
+  create->add_option("--labels", options->labels, "Classes of the labels: predicted or groundtruth")
+      ->capture_default_str();
   create->callback([options, &session] { session.exit_code = RunCreate(session, *options); });
   AddMapFileCommands(*maps, session);
-  AddNamed(app, "stats", "What a map holds and what it costs", session, RunStats);
-  AddNamed(app, "finish", "End mapping: refine and store everything; Ctrl-C leaves the map as it was", session,
+  AddNamed(app, "stats", "Content and cost of a map", session, RunStats);
+  AddNamed(app, "finish", "Finish mapping: refine and store everything; Ctrl-C leaves the map unchanged", session,
            RunFinish);
 }
 

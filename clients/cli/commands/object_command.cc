@@ -125,7 +125,7 @@ ExitCode RunRelations(const Session& session, const RelationsCommand& command) {
 
 void AddObjectCommands(CLI::App& query, Session& session) {
   auto wanted = std::make_shared<SearchCommand>();
-  CLI::App* search = query.add_subcommand("search", "Which objects are there, and where?");
+  CLI::App* search = query.add_subcommand("search", "Find objects by class, name, region or distance");
   search->add_option("map", wanted->map, "Name of the map")->required();
   search->add_option("--name", wanted->name_part, "Part of the display name");
   search->add_option("--class", wanted->class_names, "Names of classes; unknown objects stay");
@@ -138,12 +138,11 @@ void AddObjectCommands(CLI::App& query, Session& session) {
   search->callback([wanted, &session] { session.exit_code = RunSearch(session, *wanted); });
 
   auto asked = std::make_shared<RelationsCommand>();
-  CLI::App* relations = query.add_subcommand("relations", "What is on, in or next to what?");
+  CLI::App* relations = query.add_subcommand("relations", "Pairs of objects that are on, in or next to each other");
   relations->add_option("map", asked->map, "Name of the map")->required();
   relations->add_option("id", asked->id, "Id of one object; default: of all");
   relations->add_option("--kind", asked->kinds, "Only these")->check(CLI::IsMember({"on", "in", "next-to"}));
-  relations->add_option("--max-gap", asked->max_gap_m, "Between what is next to each other, in m")
-      ->capture_default_str();
+  relations->add_option("--max-gap", asked->max_gap_m, "Maximum gap of next to, in m")->capture_default_str();
   AddAskerFlags(*relations, asked->asker);
   relations->callback([asked, &session] { session.exit_code = RunRelations(session, *asked); });
 }

@@ -191,19 +191,19 @@ void AddPointOptions(CLI::App& command, PointOptions& options) {
 
 void AddDistances(CLI::App& query, Session& session) {
   auto options = std::make_shared<DistancesOptions>();
-  CLI::App* distances = query.add_subcommand("distances", "How far are these points from the nearest surface?");
+  CLI::App* distances = query.add_subcommand("distances", "Distance, gradient and nearest object of points");
   AddPointOptions(*distances, options->points);
   AddQueryFlags(*distances, options->flags);
   AddPaddingFlag(*distances, options->padding_m);
   distances
-      ->add_option("--tolerance-vox", options->tolerance_vox, "How much too long they may be, in voxels, to be faster")
+      ->add_option("--tolerance-vox", options->tolerance_vox, "Allowed overestimate, in voxels, for faster answers")
       ->capture_default_str();
   distances->callback([options, &session] { session.exit_code = RunDistances(session, *options); });
 }
 
 void AddRays(CLI::App& query, Session& session) {
   auto options = std::make_shared<DistancesOptions>();
-  CLI::App* rays = query.add_subcommand("rays", "What do these rays meet first?");
+  CLI::App* rays = query.add_subcommand("rays", "First hits of rays");
   rays->add_option("map", options->points.map, "Name of the map")->required();
   rays->add_option("rays", options->points.xyz_m, "X Y Z DX DY DZ [X Y Z DX DY DZ ...]: origins and directions")
       ->required();
@@ -217,7 +217,7 @@ void AddQueryCommands(CLI::App& app, Session& session) {
   CLI::App* query = app.add_subcommand("query", "Ask a map");
   query->require_subcommand(1);
   auto options = std::make_shared<PointOptions>();
-  CLI::App* point = query->add_subcommand("point", "What is at these points (metres)?");
+  CLI::App* point = query->add_subcommand("point", "Class, object and TSDF at points (metres)");
   AddPointOptions(*point, *options);
   AddAskerFlags(*point, options->asker);
   point->callback([options, &session] { session.exit_code = RunPoint(session, *options); });

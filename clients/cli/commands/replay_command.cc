@@ -208,8 +208,7 @@ ExitCode RunReplay(const Session& session, const ReplayOptions& options) {
 
 void AddReplayCommand(CLI::App& app, Session& session) {
   auto options = std::make_shared<ReplayOptions>();
-  CLI::App* command =
-      app.add_subcommand("replay", "Feed what a server has recorded (mapping.record_dir) into a new map");
+  CLI::App* command = app.add_subcommand("replay", "Feed a server's recording (mapping.record_dir) into a new map");
   command->add_option("file", options->file, "The record")->required();
   command->add_option("--map", options->map, "Name of the map, which must not be there")->required();
   command->add_option("--set", options->settings, "KEY=VALUE in place of the recorded map's, may be repeated")

@@ -51,7 +51,7 @@ ExitCode RunRestore(const Session& session, const RestoreFlags& flags) {
 
 void AddRestoreCommand(CLI::App& app, Session& session) {
   auto flags = std::make_shared<RestoreFlags>();
-  CLI::App* command = app.add_subcommand("restore", "Take a map, or one of its objects, back to what it was");
+  CLI::App* command = app.add_subcommand("restore", "Restore a map, or one of its objects, to an earlier revision");
   command->add_option("map", flags->map, "Name of the map")->required();
   command->add_option("--revision", flags->revision, "Back to this revision")->required();
   // Else one that is mistyped would take back all of the map.

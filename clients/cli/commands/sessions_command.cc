@@ -58,13 +58,14 @@ ExitCode RunEnd(const Session& session, const std::string& map, const std::strin
 }  // namespace
 
 void AddSessionsCommands(CLI::App& app, Session& session) {
-  CLI::App* sessions = app.add_subcommand("sessions", "Who feeds a map, and how far each has got");
+  CLI::App* sessions =
+      app.add_subcommand("sessions", "List the feed sessions of a map with their progress, or end one");
   sessions->require_subcommand(1);
   auto options = std::make_shared<std::pair<std::string, std::string>>();
   CLI::App* list = sessions->add_subcommand("list", "All sessions of a map");
   list->add_option("map", options->first, "Name of the map")->required();
   list->callback([options, &session] { session.exit_code = RunList(session, options->first); });
-  CLI::App* end = sessions->add_subcommand("end", "End the stream of a session; what it has brought stays");
+  CLI::App* end = sessions->add_subcommand("end", "End the stream of a feed session; its fused frames stay");
   end->add_option("map", options->first, "Name of the map")->required();
   end->add_option("session", options->second, "Name of the session; none: the stream that names none");
   end->callback([options, &session] { session.exit_code = RunEnd(session, options->first, options->second); });

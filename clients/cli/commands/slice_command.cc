@@ -81,10 +81,9 @@ ExitCode RunSlice(const Session& session, const SliceCommand& command) {
 
 void AddSliceCommand(CLI::App& query, Session& session) {
   auto options = std::make_shared<SliceCommand>();
-  CLI::App* slice =
-      query.add_subcommand("slice", "What is occupied, free and unknown, seen from above, as a map for nav2");
+  CLI::App* slice = query.add_subcommand("slice", "Occupied, free and unknown cells from above, as a map for nav2");
   slice->add_option("map", options->map, "Name of the map")->required();
-  slice->add_option("--out", options->file, "FILE.pgm or FILE.png; FILE.yaml is written beside it")->required();
+  slice->add_option("--out", options->file, "FILE.pgm or FILE.png; FILE.yaml is written next to it")->required();
   slice->add_option("--from", options->min_z_m, "Bottom of the band, in m")->capture_default_str();
   slice->add_option("--to", options->max_z_m, "Top of the band, in m")->capture_default_str();
   slice->add_option("--area", options->area_m, "MIN_X MIN_Y MAX_X MAX_Y in m; default: all that is known")->expected(4);

@@ -85,7 +85,7 @@ CLI::App* Add(CLI::App& app, const char* name, const char* what, Session& sessio
   CLI::App* command = app.add_subcommand(name, what);
   options = std::make_shared<UndoOptions>();
   command->add_option("map", options->map, "Name of the map")->required();
-  AddEditFlags(*command, *options, "the map, or of what was deleted", "Who does it, and whose edits");
+  AddEditFlags(*command, *options, "the map, or of the deleted object", "Author, and author of the edits");
   command->callback([options, run, &session] { session.exit_code = run(session, *options); });
   return command;
 }
@@ -95,8 +95,9 @@ CLI::App* Add(CLI::App& app, const char* name, const char* what, Session& sessio
 void AddUndoCommands(CLI::App& app, Session& session) {
   std::shared_ptr<UndoOptions> options;
   for (const bool is_undo : {true, false}) {
-    CLI::App* command = is_undo ? Add(app, "undo", "Undo the author's last edits, or one", session, RunUndo, options)
-                                : Add(app, "redo", "Do again what was undone last, or one", session, RunRedo, options);
+    CLI::App* command = is_undo
+                            ? Add(app, "undo", "Undo the author's last edits, or one", session, RunUndo, options)
+                            : Add(app, "redo", "Redo the author's last undo, or one edit", session, RunRedo, options);
     CLI::Option* count = command->add_option("-n,--number", options->count, "So many [1]")->check(CLI::PositiveNumber);
     command->add_option("--edit", options->edit, "This edit, by its revision as `dhpmap log` tells it")
         ->excludes(count);

@@ -54,10 +54,10 @@ void AddVerifyCommand(CLI::App& app, Session& session) {
     bool repairs = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("verify", "Look through all that is stored of a map; exit code 6 for faults");
+  CLI::App* command = app.add_subcommand("verify", "Verify all stored data of a map; exit code 6 for faults");
   command->add_option("map", options->map, "Name of the map")->required();
   command->add_flag("--repair", options->repairs,
-                    "Drop what cannot be read and keep the rest, if the map is not open: a damaged one never is");
+                    "Drop unreadable data and keep the rest; needs a closed map, as damaged ones are");
   command->callback([options, &session] { session.exit_code = RunVerify(session, options->map, options->repairs); });
 }
 

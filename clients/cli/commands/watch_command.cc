@@ -163,14 +163,15 @@ ExitCode RunWatch(const Session& session, const WatchOptions& options) {
 
 void AddWatchCommand(CLI::App& app, Session& session) {
   auto options = std::make_shared<WatchOptions>();
-  CLI::App* command = app.add_subcommand("watch", "Tell what becomes of a map, as it is stored, until interrupted");
+  CLI::App* command = app.add_subcommand("watch", "Print the changes of a map as they are stored, until interrupted");
   command->add_option("map", options->map, "Name of the map")->required();
-  command->add_option("--from", options->from, "First revision to tell of; default: what comes from now on");
+  command->add_option("--from", options->from, "First revision to report; default: the next one");
   command->add_option("--until", options->until, "End once everything up to this revision is told");
   command->add_option("--id", options->ids, "Of this object only; may be repeated")->allow_extra_args(false);
   command->add_option("--class", options->classes, "Of this class only, by name; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--box", options->box, "Of what touches the box X Y Z to X Y Z (metres)")->expected(6);
+  command->add_option("--box", options->box, "Only objects that intersect the box X Y Z to X Y Z (metres)")
+      ->expected(6);
   command->add_option("--reconnect-s", options->reconnect_s, "Seconds to try again for when the connection is lost")
       ->capture_default_str();
   command->callback([options, &session] { session.exit_code = RunWatch(session, *options); });

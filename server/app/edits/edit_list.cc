@@ -7,6 +7,7 @@
 
 #include "mapping/objects/merge_submaps.h"
 #include "mapping/objects/split_submap.h"
+#include "server/app/edits/edit_undo.h"
 #include "server/app/edits/object_motion.h"
 #include "server/app/states/etag.h"
 
@@ -17,7 +18,7 @@ std::string Named(SubmapId id) { return "submap " + std::to_string(id.value); }
 
 class Application {
  public:
-  Application(const EditList& list, Map& map) : list_(list), map_(map) {
+  Application(const EditList& list, Map& map, MapStore* store) : list_(list), map_(map), store_(store) {
     edited_before_.reserve(map.submaps().size());
     for (const auto& submap : map.submaps()) edited_before_.emplace_back(submap->id(), submap->info().edited_revision);
   }
@@ -103,33 +104,17 @@ class Application {
   }
 
   Result<EditResult> Apply(const Edit& edit) {
-    if (const auto* clear = std::get_if<ClearEdit>(&edit.action)) return Clear(edit, *clear);
-    if (const auto* keep = std::get_if<KeepClearEdit>(&edit.action)) return KeepClear(keep->region);
-    if (const auto* lift = std::get_if<LiftEdit>(&edit.action)) return Lift(lift->name);
-    if (!edit.target) return InvalidArgument("it names no object").WithReason("BAD_EDIT");
-    if (std::holds_alternative<UndeleteEdit>(edit.action)) return Undelete(*edit.target, edit.etag);
+    if (const auto* of_map = std::get_if<MapAction>(&edit.action)) {
+      return std::visit([&](const auto& action) { return Do(edit, action); }, *of_map);
+    }
+    if (!edit.target) return NamesNoObject();
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Editable(*edit.target, edit.etag));
-    struct Visitor {
-      Application& self;
-      SubmapId id;
-      Result<EditResult> operator()(const PatchEdit& patch) const { return self.Patch(id, patch); }
-      Result<EditResult> operator()(const TurnEdit& turn) const { return self.Turn(id, turn); }
-      Result<EditResult> operator()(const TranslateEdit& shift) const { return self.Translate(id, shift); }
-      Result<EditResult> operator()(const PlaceEdit& place) const { return self.Place(id, place); }
-      Result<EditResult> operator()(const CloneEdit& clone) const { return self.Clone(id, clone); }
-      Result<EditResult> operator()(const DeleteEdit&) const { return self.Delete(id); }
-      Result<EditResult> operator()(const MergeEdit& merge) const { return self.Merge(id, merge); }
-      Result<EditResult> operator()(const SplitEdit& split) const { return self.Split(id, split); }
-      Result<EditResult> operator()(const PresenceEdit& presence) const { return self.SetPresence(id, presence); }
-      Result<EditResult> operator()(const ClearEdit&) const { return Internal("handled above"); }
-      Result<EditResult> operator()(const KeepClearEdit&) const { return Internal("handled above"); }
-      Result<EditResult> operator()(const LiftEdit&) const { return Internal("handled above"); }
-      Result<EditResult> operator()(const UndeleteEdit&) const { return Internal("handled above"); }
-    };
-    return std::visit(Visitor{*this, id}, edit.action);
+    return std::visit([&](const auto& action) { return Do(id, action); }, std::get<ObjectAction>(edit.action));
   }
 
-  Result<EditResult> Patch(SubmapId id, const PatchEdit& edit) {
+  static Status NamesNoObject() { return InvalidArgument("it names no object").WithReason("BAD_EDIT"); }
+
+  Result<EditResult> Do(SubmapId id, const PatchEdit& edit) {
     const Transform T_map_before = map_.Find(id)->info().T_map_submap;
     const auto supported = edit.include_supported ? SupportedBy(id, map_) : std::vector<SubmapId>();
     DHPMAP_ASSIGN_OR_RETURN(const bool is_changed, PatchSubmap(map_, id, edit.patch));
@@ -143,17 +128,17 @@ class Application {
     return result;
   }
 
-  Result<EditResult> Turn(SubmapId id, const TurnEdit& edit) {
+  Result<EditResult> Do(SubmapId id, const TurnEdit& edit) {
     DHPMAP_ASSIGN_OR_RETURN(const Transform motion, TurnOf(*map_.Find(id), edit.angle_rad));
     return MoveBy(id, motion, edit.include_supported ? SupportedBy(id, map_) : std::vector<SubmapId>());
   }
 
-  Result<EditResult> Translate(SubmapId id, const TranslateEdit& edit) {
+  Result<EditResult> Do(SubmapId id, const TranslateEdit& edit) {
     const Transform motion(Eigen::Translation3d(edit.offset_m));
     return MoveBy(id, motion, edit.include_supported ? SupportedBy(id, map_) : std::vector<SubmapId>());
   }
 
-  Result<EditResult> Place(SubmapId id, const PlaceEdit& edit) {
+  Result<EditResult> Do(SubmapId id, const PlaceEdit& edit) {
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId support, Editable(edit.support, {}));
     const auto supported = edit.include_supported ? SupportedBy(id, map_) : std::vector<SubmapId>();
     if (support == id || std::binary_search(supported.begin(), supported.end(), support)) {
@@ -185,28 +170,30 @@ class Application {
     return Status::Ok();
   }
 
-  Result<EditResult> Clone(SubmapId id, const CloneEdit& edit) {
+  Result<EditResult> Do(SubmapId id, const CloneEdit& edit) {
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId copy, CloneSubmap(map_, id, {}, edit.patch));
     return EditResult{.changed = {}, .created = {copy}, .removed = {}};
   }
 
-  Result<EditResult> Delete(SubmapId id) {
+  Result<EditResult> Do(SubmapId id, const DeleteEdit&) {
     DHPMAP_RETURN_IF_ERROR(DeleteSubmap(map_, id, {}));
     return EditResult{.changed = {}, .created = {}, .removed = {id}};
   }
 
-  Result<EditResult> Undelete(const EditTarget& target, const std::string& etag) {
-    if (!list_.undelete) return InvalidArgument("nothing can be brought back here").WithReason("BAD_EDIT");
-    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Resolve(target));
+  Result<EditResult> Do(const Edit& edit, const UndeleteEdit&) {
+    if (!edit.target) return NamesNoObject();
+    if (store_ == nullptr) return InvalidArgument("nothing can be brought back here").WithReason("BAD_EDIT");
+    DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Resolve(*edit.target));
     if (removed_.contains(id)) {  // of which the log knows nothing yet, but maybe of a removal before
       return NotFound(Named(id) + " was removed by an edit of the same list").WithReason("SUBMAP_NOT_FOUND");
     }
-    const EditConditions conditions{.etag = etag, .expected_revision = list_.expected_revision, .lost = list_.lost};
-    DHPMAP_RETURN_IF_ERROR(list_.undelete(id, conditions, map_).status());
+    const EditConditions conditions{
+        .etag = edit.etag, .expected_revision = list_.expected_revision, .lost = list_.lost};
+    DHPMAP_RETURN_IF_ERROR(UndeleteSubmap(id, *store_, map_, conditions).status());
     return EditResult{.changed = {}, .created = {id}, .removed = {}};
   }
 
-  Result<EditResult> Merge(SubmapId into, const MergeEdit& edit) {
+  Result<EditResult> Do(SubmapId into, const MergeEdit& edit) {
     if (edit.others.empty()) return InvalidArgument("it names nothing to merge").WithReason("BAD_EDIT");
     EditResult result{.changed = {into}, .created = {}, .removed = {}};
     for (const EditTarget& other : edit.others) {
@@ -222,7 +209,7 @@ class Application {
     return result;
   }
 
-  Result<EditResult> Split(SubmapId id, const SplitEdit& edit) {
+  Result<EditResult> Do(SubmapId id, const SplitEdit& edit) {
     const Submap& submap = *map_.Find(id);
     DHPMAP_RETURN_IF_ERROR(CheckClassOfParts(submap, edit.class_id));
     EditResult result{.changed = {id}, .created = {}, .removed = {}};
@@ -274,7 +261,7 @@ class Application {
     return num_voxels;
   }
 
-  Result<EditResult> Clear(const Edit& edit, const ClearEdit& clear) {
+  Result<EditResult> Do(const Edit& edit, const ClearEdit& clear) {
     std::optional<SubmapId> only;
     if (edit.target) {
       DHPMAP_ASSIGN_OR_RETURN(only, Editable(*edit.target, edit.etag));
@@ -285,7 +272,8 @@ class Application {
       return info.panoptic != Panoptic::kUnknown &&
              std::find(clear.classes.begin(), clear.classes.end(), info.class_id) != clear.classes.end();
     };
-    if (!clear.keep_clear.empty()) DHPMAP_RETURN_IF_ERROR(KeepClear({clear.keep_clear, clear.region}).status());
+    if (!clear.keep_clear.empty())
+      DHPMAP_RETURN_IF_ERROR(map_.mutable_info().kept_clear.Add({clear.keep_clear, clear.region}));
     ClearedRegion cleared = ClearRegion(clear.region, is_meant, map_);
     std::erase_if(cleared.changed, [&](SubmapId id) { return map_.Find(id) == nullptr; });
     return EditResult{.changed = std::move(cleared.changed),
@@ -294,19 +282,19 @@ class Application {
                       .num_voxels = cleared.num_voxels};
   }
 
-  Result<EditResult> KeepClear(const KeptClearRegion& region) {
-    DHPMAP_RETURN_IF_ERROR(map_.mutable_info().kept_clear.Add(region));
+  Result<EditResult> Do(const Edit&, const KeepClearEdit& keep) {
+    DHPMAP_RETURN_IF_ERROR(map_.mutable_info().kept_clear.Add(keep.region));
     return EditResult();
   }
 
-  Result<EditResult> Lift(const std::string& name) {
-    if (!map_.mutable_info().kept_clear.Lift(name)) {
-      return NotFound("no region '" + name + "' is kept clear").WithReason("IGNORED_REGION_NOT_FOUND");
+  Result<EditResult> Do(const Edit&, const LiftEdit& lift) {
+    if (!map_.mutable_info().kept_clear.Lift(lift.name)) {
+      return NotFound("no region '" + lift.name + "' is kept clear").WithReason("IGNORED_REGION_NOT_FOUND");
     }
     return EditResult();
   }
 
-  Result<EditResult> SetPresence(SubmapId id, const PresenceEdit& edit) {
+  Result<EditResult> Do(SubmapId id, const PresenceEdit& edit) {
     if (map_.Find(id)->info().panoptic != Panoptic::kThing) {
       return FailedPrecondition(Named(id) + " is a background, which is never absent").WithReason("NOT_A_THING");
     }
@@ -321,6 +309,7 @@ class Application {
 
   const EditList& list_;
   Map& map_;
+  MapStore* const store_;
   std::vector<std::pair<SubmapId, std::int64_t>> edited_before_;  // by ascending id
   std::vector<EditResult> results_;
   std::set<SubmapId> removed_;  ///< by edits of the list
@@ -337,14 +326,14 @@ Status CheckConditions(const EditList& list, const MapInfo& map) {
 
 }  // namespace
 
-Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map) {
+Result<std::vector<EditResult>> ApplyEdits(const EditList& list, Map& map, MapStore* store) {
   DHPMAP_RETURN_IF_ERROR(CheckConditions(list, map.info()));
-  return Application(list, map).Run();
+  return Application(list, map, store).Run();
 }
 
 Result<EditResult> ApplyOneEdit(const EditList& list_of_one, Map& map) {
   DHPMAP_RETURN_IF_ERROR(CheckConditions(list_of_one, map.info()));
-  return Application(list_of_one, map).RunOne(list_of_one.edits.front());
+  return Application(list_of_one, map, nullptr).RunOne(list_of_one.edits.front());
 }
 
 }  // namespace dhpmap

@@ -47,7 +47,8 @@ EditSummary SummaryOfList(const EditList& list, const std::vector<EditResult>& r
   std::set<SubmapId> changed, created, removed;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Edit& edit = list.edits[i];
-    std::visit(StepsOf{IdOf(edit.target, results), summary.steps}, edit.action);
+    const StepsOf steps_of{IdOf(edit.target, results), summary.steps};
+    std::visit([&](const auto& kind) { std::visit(steps_of, kind); }, edit.action);
     summary.num_voxels += results[i].num_voxels;
     for (const SubmapId id : results[i].changed) {
       if (!created.contains(id)) changed.insert(id);
@@ -68,7 +69,7 @@ std::vector<RegionEvent> ClearedBy(const EditList& list, const std::vector<EditR
   std::vector<RegionEvent> cleared;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Edit& edit = list.edits[i];
-    const auto* clear = std::get_if<ClearEdit>(&edit.action);
+    const auto* clear = ActionIf<ClearEdit>(edit);
     if (clear == nullptr) continue;
     RegionEvent& event = cleared.emplace_back(RegionEvent{.kind = RegionEventKind::kCleared,
                                                           .region = clear->region,

@@ -9,12 +9,12 @@
 
 namespace dhpmap {
 
-// What the log of a map says of an edit that was made.
+// Entries of the edit log.
 
-/// Of all of a list together: what it made and removed again is in neither.
+/// Of a whole list: objects that it creates and removes again are not listed.
 EditSummary SummaryOfList(const EditList& list, const std::vector<EditResult>& results);
 
-/// The regions that a list has cleared, in its order: what those who follow the map are told.
+/// The regions that a list has cleared, in its order, for watchers.
 std::vector<RegionEvent> ClearedBy(const EditList& list, const std::vector<EditResult>& results);
 
 }  // namespace dhpmap

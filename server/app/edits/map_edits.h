@@ -11,17 +11,17 @@
 
 namespace dhpmap {
 
-/// What to change of a map; what is empty stays.
+/// Changes of a map; empty values stay.
 struct MapPatch {
   std::optional<std::string> display_name;
 };
 
 /// ABORTED, reason EDITED_SINCE, if the log has an edit of the map itself (of its name), or an undo or redo of one,
-/// after the revision; 0: whatever it has.
+/// after the revision; 0: no condition.
 Status CheckMapNotEditedSince(std::int64_t revision, MapStore& store, const std::string& map);
 
-/// All of it or nothing: INVALID_ARGUMENT for a display name above kMaxDisplayNameBytes, ABORTED for an etag (where not
-/// empty) that is not the present one.
+/// All or nothing: INVALID_ARGUMENT for a display name above kMaxDisplayNameBytes, ABORTED for a non-empty etag other
+/// than the present one.
 Status PatchMap(Map& map, const std::string& etag, const MapPatch& patch);
 
 }  // namespace dhpmap

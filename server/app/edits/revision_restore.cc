@@ -158,7 +158,8 @@ EditSummary SummaryOfRestore(const RestoreRequest& request, const StateDelta& de
 
 }  // namespace
 
-Result<EditSummary> RestoreRevision(const RestoreRequest& request, const KeptStates& kept, MapStore& store, Map& map) {
+Result<EditSummary> RestoreRevision(const RestoreRequest& request, const SnapshotHistory& kept, MapStore& store,
+                                    Map& map) {
   const std::shared_ptr<const MapSnapshot> now = map.published();
   const auto present = std::make_shared<const MapView>(now);
   DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewAt(request.revision, present, kept, request.lost, "revision"));

@@ -13,42 +13,41 @@
 
 namespace dhpmap {
 
-/// Single numbers of a pose; what is empty stays.
+/// Components of a pose; empty ones stay.
 struct PoseChange {
   std::array<std::optional<double>, 3> translation_m;  ///< x, y, z
-  std::array<std::optional<double>, 4> rotation_xyzw;  ///< of the quaternion, which need not have a norm of 1
+  std::array<std::optional<double>, 4> rotation_xyzw;  ///< of the quaternion, of any norm
 };
 
-/// What to change of a submap; what is empty stays.
+/// Changes of a submap; empty values stay.
 struct SubmapPatch {
   std::optional<Transform> T_map_submap;
-  std::optional<PoseChange> pose_change;  ///< made to the present pose; only without T_map_submap
+  std::optional<PoseChange> pose_change;  ///< applied to the present pose; only without T_map_submap
   std::optional<ClassId> class_id;        ///< fixes the class against later votes
   std::optional<std::string> display_name;
-  std::optional<bool> is_locked;  ///< against mapping and refinement; edits of what is locked are made as ever
+  std::optional<bool> is_locked;  ///< read-only for mapping and refinement; edits still apply
 };
 
-// Each edit either does all it says or returns an error and has changed nothing: NOT_FOUND for a submap that is not
-// there, FAILED_PRECONDITION for the unknown submap, ABORTED for an etag (where not empty) of before another edit or of
-// a state that was `lost` (CheckEtag). None touches voxels of an object; what one leaves that is moved or deleted is
-// noted in the map (NoteVacated).
+// Each edit is atomic: on an error nothing has changed. NOT_FOUND for a missing submap, FAILED_PRECONDITION for the
+// unknown submap, ABORTED for a non-empty etag from before another edit or of a `lost` state (CheckEtag). None touches
+// voxels of an object; the old place of a moved or deleted object becomes vacated space (NoteVacated).
 
-/// The submap an edit may work on, under the conditions above.
+/// The submap to edit, after checking the conditions above.
 Result<const Submap*> FindEditable(const Map& map, SubmapId id, const std::string& etag,
                                    const LostRevisions& lost = {});
 
-/// Whether any of it was looked through (Submap::DropGone).
+/// Whether it has gone counts (Submap::DropGone).
 bool HasGone(const Submap& submap);
 
-/// INVALID_ARGUMENT for a class outside the label set or of the other kind, a pose that is not finite or beyond
-/// the reach of the grid, or a display name above kMaxDisplayNameBytes. What is so already is no edit; that somebody
-/// sets for the first time what the object had by itself is one, as it stays from then on.
+/// INVALID_ARGUMENT for a class outside the label set or of the other kind, a pose that is not finite or beyond the
+/// grid, or a display name above kMaxDisplayNameBytes. Setting a present value is no edit, unless the value was not set
+/// by an edit before: it is fixed from then on.
 Status PatchSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch,
                    const LostRevisions& lost = {});
-/// The same without an etag; whether there was anything to change.
+/// The same without an etag; returns whether anything changed.
 Result<bool> PatchSubmap(Map& map, SubmapId id, const SubmapPatch& patch);
 
-/// The id of a copy with a new id, at the place and with the name given, or those of the original.
+/// Returns the id of a copy; pose and name default to those of the original.
 Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, const SubmapPatch& patch,
                              const LostRevisions& lost = {});
 

@@ -19,68 +19,68 @@
 
 namespace dhpmap {
 
-/// Where one client's turn at feeding a map stands.
+/// State of a client's feed of a map.
 enum class FeedState {
-  kFeeding,    ///< its frames are taken
-  kLeft,       ///< it went of itself
-  kTakenOver,  ///< another stream has its place
-  kIdledOut,   ///< it was silent for so long that somebody else got the map
-  kEnded,      ///< somebody has ended its session
+  kFeeding,    ///< frames are accepted
+  kLeft,       ///< the client ended it
+  kTakenOver,  ///< another stream has replaced it
+  kIdledOut,   ///< replaced after silence of idle_s
+  kEnded,      ///< its session was ended by request
 };
 
-/// It ends once, one way or the other.
+/// A feed ends once.
 constexpr bool IsLegal(FeedState from, FeedState to) {
   return from == FeedState::kFeeding && to != FeedState::kFeeding;
 }
 
-/// What a client asks for that wants to feed a map.
+/// A client's request to feed a map.
 struct FeedRequest {
-  std::string session;     ///< the client's name for this session of frames; empty: none
-  bool take_over = false;  ///< in place of all who feed the map now
+  std::string session;     ///< the client's name of the feed session; may be empty
+  bool take_over = false;  ///< replaces all present feeds of the map
   ImplausibleFrames implausible = ImplausibleFrames::kFuse;
-  /// Called once if the feed has to end before it leaves: ABORTED, and why. On another thread, without locks.
+  /// Called once if the feed is ended by the server: ABORTED, with a reason. On another thread, without locks.
   std::function<void(const Status&)> on_evicted = {};
 };
 
-/// One client's turn at feeding a map, from FeedSeats::Take until it leaves or another gets its place. Remembers which
-/// of its frames are not known to be stored yet. Thread-safe.
+/// A client's feed of a map, from FeedSeats::Take until it leaves or is replaced. Remembers its frames that are not
+/// stored yet. Thread-safe.
 class Feed {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Frames that are remembered one by one. Of more, and for want of memory, those before the last are told as stored
-  /// when the last one is.
+  /// Limit of individually remembered frames. Beyond it, or if memory runs out, earlier ones are reported as stored
+  /// together with the last.
   static constexpr std::size_t kMaxRemembered = 1024;
 
   Feed(FeedRequest request, Clock::time_point now, std::shared_ptr<FeedTally> tally = std::make_shared<FeedTally>())
       : request_(std::move(request)), tally_(std::move(tally)), last_active_(now) {}
 
-  /// Empty: none.
+  /// May be empty.
   [[nodiscard]] const std::string& session() const { return request_.session; }
   [[nodiscard]] ImplausibleFrames implausible() const { return request_.implausible; }
-  /// That of its session, or of streams without one.
+  /// Of its session, or of streams without one.
   [[nodiscard]] FeedTally& tally() const { return *tally_; }
 
-  /// OK as long as its frames are taken; else what they are refused with.
+  /// OK while its frames are accepted; else the error for them.
   [[nodiscard]] Status MayFeed() const DHPMAP_EXCLUDES(mutex_);
 
-  /// A frame of it is under way to the map, or has got there: as long as one is, it is not idle.
+  /// A frame of it is in flight or done: while one is in flight, the feed is not idle.
   void OnFrameBegun() DHPMAP_EXCLUDES(mutex_);
   void OnFrameDone(Clock::time_point now) DHPMAP_EXCLUDES(mutex_);
   /// True for the first call.
   [[nodiscard]] bool BeginsNow() DHPMAP_EXCLUDES(mutex_);
-  /// When a frame of it was done last, or it began.
+  /// Time of its last completed frame, or of its start.
   [[nodiscard]] Clock::time_point last_active() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] bool IsIdle(Clock::time_point now, Clock::duration limit) const DHPMAP_EXCLUDES(mutex_);
 
-  /// The client's frame `sequence` is fused, as the map's frame number `frame_number`, counted from 1. Does not throw.
+  /// The client's frame `sequence` is fused as the map's frame `frame_number`, counted from 1. Does not throw.
   void OnFused(std::int64_t frame_number, std::int64_t sequence) DHPMAP_EXCLUDES(mutex_);
-  /// The sequence of the newest frame of this feed among the first `num_stored_frames` of the map; nothing if none is.
-  /// `num_stored_frames` does not fall from call to call.
+  /// The sequence of this feed's newest frame among the first `num_stored_frames` of the map; nothing if there is none.
+  /// `num_stored_frames` never decreases between calls.
   std::optional<std::int64_t> StoredUpTo(std::int64_t num_stored_frames) DHPMAP_EXCLUDES(mutex_);
 
-  /// Ends it; the owner of the seat calls this. False if it had ended before.
+  /// Ends it; only FeedSeats calls this. False if it had ended before.
   bool End(FeedState how) DHPMAP_EXCLUDES(mutex_);
-  /// Tells the client's side why it was ended. Without locks.
+  /// Tells the client why it was ended. Without locks.
   void TellEvicted() const;
 
  private:

@@ -14,42 +14,41 @@
 
 namespace dhpmap {
 
-/// The feeders of a map: who has a place among them, and who gets one. Several sessions with names may feed at once; a
-/// stream without a name is alone, as nobody can tell it from another client that was started by mistake. Thread-safe.
+/// The active feeds of a map, and admission of new ones. Several named sessions may feed at once; a stream without a
+/// name feeds alone, because it may be a second client started by mistake. Thread-safe.
 class FeedSeats {
  public:
   using Clock = Feed::Clock;
-  /// Tallies of sessions that have left which are kept; the one that was heard of longest ago goes.
+  /// Limit of tallies kept for ended sessions; the least recently used is dropped.
   static constexpr std::size_t kMostTallies = 256;
 
-  /// A feeder that is silent for `idle_limit` makes place for others; there are at most `max_feeds`. `now` is for
-  /// tests; empty: the steady clock.
+  /// A feed that is silent for `idle_limit` may be replaced; at most `max_feeds` are active. `now` is for tests; empty:
+  /// the steady clock.
   FeedSeats(Clock::duration idle_limit, std::size_t max_feeds, std::function<Clock::time_point()> now = {});
 
-  /// ABORTED, reason MAP_IS_FED, if one feeds who is not idle and one of both has no name. A feed ends for one that
-  /// takes over, whatever its name, and for its own session: that is the same client, come back over another
-  /// connection. RESOURCE_EXHAUSTED, reason TOO_MANY_FEEDS, if there are so many, of which none is idle.
+  /// ABORTED, reason MAP_IS_FED, if an active feed or this one has no name, unless the active one is idle. A feed ends
+  /// for a request with take_over, and for one of its own session: that is the same client on a new connection.
+  /// RESOURCE_EXHAUSTED, reason TOO_MANY_FEEDS, if max_feeds are active and none is idle.
   Result<std::shared_ptr<Feed>> Take(FeedRequest request) DHPMAP_EXCLUDES(mutex_);
-  /// The feed is over; nothing happens if it has lost its place before.
+  /// Ends the feed; no effect if it was replaced before.
   void Leave(const std::shared_ptr<Feed>& feed) DHPMAP_EXCLUDES(mutex_);
-  /// Ends the feed of the session; empty: the one without a name. NOT_FOUND, reason SESSION_NOT_FOUND, if there is
-  /// none.
+  /// Ends the feed of the session; empty: the unnamed one. NOT_FOUND, reason SESSION_NOT_FOUND, if there is none.
   Status End(const std::string& session) DHPMAP_EXCLUDES(mutex_);
 
-  /// Lets nobody in until Reopen. FAILED_PRECONDITION, reason MAP_IS_FED, if one feeds who is not idle.
+  /// Admits no feed until Reopen. FAILED_PRECONDITION, reason MAP_IS_FED, if one is active and not idle.
   Status Close() DHPMAP_EXCLUDES(mutex_);
   void Reopen() DHPMAP_EXCLUDES(mutex_);
 
-  /// Who feeds now.
+  /// The active feeds.
   [[nodiscard]] std::vector<std::shared_ptr<Feed>> Feeds() const DHPMAP_EXCLUDES(mutex_);
-  /// Of the sessions that were heard of lately, by name.
+  /// Of recent sessions, by name.
   [[nodiscard]] std::map<std::string, std::shared_ptr<FeedTally>> Tallies() const DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] Clock::time_point Now() const { return now_(); }
   [[nodiscard]] Clock::duration idle_limit() const { return idle_limit_; }
 
  private:
-  /// Which feeds are in the way of `request`, and how each ends for it; or why it has to wait.
+  /// The feeds that `request` replaces, with their end states; or the error of refusing it.
   struct Eviction {
     std::shared_ptr<Feed> feed;
     FeedState how;

@@ -12,21 +12,21 @@
 
 namespace dhpmap {
 
-/// What came of the frames of one session since its map was opened.
+/// Statistics of a feed session since its map was opened.
 struct FeedCounts {
   std::int64_t num_fused = 0, num_refused = 0, num_duplicates = 0;  ///< frames
   std::int64_t num_points = 0;                                      ///< of fused frames
-  std::int64_t num_bytes = 0;                                       ///< of all messages, as they came
-  std::optional<std::int64_t> accepted_sequence;                    ///< of the frame that was fused last
-  std::int64_t last_seen_ns = 0;                                    ///< when the last message came, UTC; 0: none has
-  double frames_per_s = 0;                                          ///< fused within the last FeedTally::kRate_s
+  std::int64_t num_bytes = 0;                                       ///< of all messages, as received
+  std::optional<std::int64_t> accepted_sequence;                    ///< of the last fused frame
+  std::int64_t last_seen_ns = 0;                                    ///< time of the last message, UTC; 0 for none
+  double frames_per_s = 0;                                          ///< over the last FeedTally::kRate_s
 };
 
-/// Counts that for the streams of a session, one after the other. Thread-safe.
+/// Collects these over successive streams of a session. Thread-safe.
 class FeedTally {
  public:
   static constexpr std::int64_t kRate_s = 10;
-  /// Of fused frames that are remembered for the rate; beyond it the rate is that of the last so many.
+  /// Limit of fused frames remembered for the rate; the rate is over at most this many.
   static constexpr std::size_t kMaxRemembered = 512;
 
   void OnMessage(std::size_t num_bytes, std::int64_t now_ns) DHPMAP_EXCLUDES(mutex_);
@@ -35,7 +35,7 @@ class FeedTally {
   void OnRefused() DHPMAP_EXCLUDES(mutex_);
   void OnDuplicate() DHPMAP_EXCLUDES(mutex_);
 
-  /// 0: no message has come.
+  /// 0 without any message.
   [[nodiscard]] std::int64_t last_seen_ns() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] FeedCounts Counts(std::int64_t now_ns) const DHPMAP_EXCLUDES(mutex_);
   /// Of fused frames.
@@ -43,10 +43,10 @@ class FeedTally {
 
  private:
   mutable Mutex mutex_;
-  FeedCounts counts_ DHPMAP_GUARDED_BY(mutex_);  ///< but the rate
+  FeedCounts counts_ DHPMAP_GUARDED_BY(mutex_);  ///< except the rate
   SensorPath path_ DHPMAP_GUARDED_BY(mutex_);
   std::int64_t first_seen_ns_ DHPMAP_GUARDED_BY(mutex_) = 0;
-  std::deque<std::int64_t> fused_ns_ DHPMAP_GUARDED_BY(mutex_);  ///< of late, by time
+  std::deque<std::int64_t> fused_ns_ DHPMAP_GUARDED_BY(mutex_);  ///< recent times, ascending
 };
 
 }  // namespace dhpmap

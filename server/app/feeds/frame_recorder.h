@@ -8,32 +8,32 @@
 
 namespace dhpmap {
 
-/// A message with a frame, as it came.
+/// A received message with a frame.
 struct ArrivedMessage {
-  std::string bytes;            ///< empty: not kept
+  std::string bytes;            ///< empty: not recorded
   std::int64_t arrived_ns = 0;  ///< UTC
 };
 
-/// A request that edits, as it came.
+/// A received edit request.
 struct ArrivedEdit {
   std::string method = {};  ///< "EditService/ApplyEdits"
-  std::string bytes = {};   ///< of the message; both are empty where it is not kept
+  std::string bytes = {};   ///< of the message; both are empty if it is not recorded
 };
 
-/// Writes down what comes to a map, in the order in which its writer takes it: from the same messages the same map can
-/// be made again. Called on the map's writer thread alone. What it cannot write it tells elsewhere: mapping goes on.
+/// Records the input of a map in the order of its writer, so that a replay gives the same map. Called only on the map's
+/// writer thread. Reports its errors elsewhere: mapping continues.
 class FrameRecorder {
  public:
   virtual ~FrameRecorder() = default;
 
-  /// Is about to be fused, after `num_frames` others of the map.
+  /// The frame is about to be fused, after `num_frames` others of the map.
   virtual void OnFrame(const std::string& session, std::int64_t sequence, ArrivedMessage message,
                        std::int64_t num_frames) = 0;
-  /// The last frame was refused: nothing has changed.
+  /// The last frame was refused; the map is unchanged.
   virtual void OnRefused(const Status& why) = 0;
-  /// With the last frame a refinement on the side was taken over.
+  /// A background refinement was merged with the last frame.
   virtual void OnRefined() = 0;
-  /// Somebody has edited the map, which is at `revision` then.
+  /// An edit produced `revision`.
   virtual void OnEdited(std::int64_t revision, const ArrivedEdit& edit) = 0;
   /// MapBuilder::Finish is done.
   virtual void OnFinished() = 0;

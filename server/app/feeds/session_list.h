@@ -12,20 +12,20 @@
 
 namespace dhpmap {
 
-/// One session of frames of a map: how far it has got, and what has come of its frames since the map was opened.
+/// A feed session of a map: its progress, and its statistics since the map was opened.
 struct SessionStatus {
-  std::string session;      ///< empty: streams without one
-  bool is_feeding = false;  ///< a stream of it has its place
-  /// While it feeds: s until it makes place for others if nothing comes; 0: it does.
+  std::string session;      ///< empty: streams without a name
+  bool is_feeding = false;  ///< has an active stream
+  /// While active: seconds of silence until it may be replaced; 0: now.
   double lease_left_s = 0;
-  std::optional<std::int64_t> accepted_sequence;  ///< of the last frame that was taken; not of a stream without a name
-  std::optional<std::int64_t> stored_sequence;    ///< of the last one that is in the store
+  std::optional<std::int64_t> accepted_sequence;  ///< of the last accepted frame; none for streams without a name
+  std::optional<std::int64_t> stored_sequence;    ///< of the last stored frame
   FeedCounts counts;
   SensorPath path;  ///< of frames fused since the map was opened
 };
 
-/// The sessions that the map knows, those that feed it and those that were heard of since it was opened, by name.
-/// `stored`: the sequence of a feed, or of a session that has none (null), that is in the store. `now_ns`: UTC.
+/// Known, active and recent sessions of the map, by name. `stored`: returns the stored sequence of a feed, or of a
+/// session without one (null). `now_ns`: UTC.
 std::vector<SessionStatus> ListSessions(
     const FeedSeats& seats, const SessionMarks& marks,
     const std::function<std::optional<std::int64_t>(const std::string& session, Feed* feed)>& stored,

@@ -13,10 +13,10 @@
 
 namespace dhpmap {
 
-/// A place among those that may be had at once of something; counts while it lives.
+/// One of a limited number of places; held during its lifetime.
 class CountedPlace {
  public:
-  /// Null if all `max` are had. `count` outlives the place.
+  /// Null if all `max` places are taken. `count` outlives the place.
   static std::unique_ptr<CountedPlace> TryTake(std::atomic<int>& count, int max);
   ~CountedPlace() { --count_; }
   CountedPlace(const CountedPlace&) = delete;
@@ -27,28 +27,27 @@ class CountedPlace {
   std::atomic<int>& count_;
 };
 
-/// A map that comes in as a file. What is not shown at the end leaves nothing behind. Lives no longer than its
-/// registry. Thread-compatible.
+/// A map being imported from a file. Discarded unless Show succeeds. Must not outlive its registry. Thread-compatible.
 class IncomingMap {
  public:
-  /// Of MapRegistry::BeginImport.
+  /// Created by MapRegistry::BeginImport.
   IncomingMap(MapRegistry& registry, ImportRequest request, std::int64_t max_bytes, std::unique_ptr<CountedPlace> place,
               std::unique_ptr<MapImport> import);
 
-  /// The next part of the file. RESOURCE_EXHAUSTED, reason BODY_TOO_LARGE if it is larger than may be, or the disk is
-  /// full; INVALID_ARGUMENT, BAD_MAP, if it is larger than was announced.
+  /// The next part of the file. RESOURCE_EXHAUSTED, reason BODY_TOO_LARGE if it exceeds the limit, or the disk is full;
+  /// INVALID_ARGUMENT, BAD_MAP, if it exceeds the announced size.
   Status Write(std::string_view piece);
-  /// After the last part: looks through it and brings most of it into the store, which takes as long as reading and
-  /// writing it. Errors of MapImport; ALREADY_EXISTS; INVALID_ARGUMENT, BAD_MAP, for less than was announced.
+  /// After the last part: verifies the file and copies most of it into the store, in about the time of reading and
+  /// writing it. Errors of MapImport; ALREADY_EXISTS; INVALID_ARGUMENT, BAD_MAP, if it is shorter than announced.
   Status Prepare(const std::stop_token& stop);
-  /// After that; blocks for some milliseconds. Then the map is there for all.
+  /// Then makes the map visible; blocks for some milliseconds.
   Result<MapSummary> Show();
 
  private:
   MapRegistry& registry_;
   const ImportRequest request_;
   const std::int64_t max_bytes_;
-  const std::unique_ptr<CountedPlace> place_;  // until all else is gone
+  const std::unique_ptr<CountedPlace> place_;  // released last
   std::unique_ptr<MapImport> import_;
   std::int64_t num_bytes_ = 0;
   std::string name_;

@@ -12,35 +12,36 @@
 
 namespace dhpmap {
 
-/// What a map holds and what it takes in memory.
+/// Content of a map and its memory.
 struct MapStats {
   std::int64_t num_submaps = 0;  ///< the unknown submap included
   std::int64_t num_things = 0;
   std::int64_t num_stuff = 0;
-  std::int64_t num_active = 0;  ///< of the things
+  std::int64_t num_active = 0;  ///< of things
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
   std::int64_t num_observed_voxels = 0;
-  // Of the blocks, those that are not left in the store (see TilePage).
+  // Blocks in memory, without evicted ones (see TilePage).
   std::int64_t num_tsdf_blocks_in_memory = 0;
   std::int64_t label_plane_bytes_in_memory = 0;  ///< see LabelBlock::CountedBytes
   std::int64_t memory_bytes = 0;
 };
 
-/// Visits every block; if `with_voxels` also every voxel, else num_observed_voxels stays 0. Blocks that clones share
-/// count once for each. After a `stop` requested meanwhile they are of no use. Throws StatusError.
+/// Visits every block; with `with_voxels` also every voxel, else num_observed_voxels stays 0. Blocks that clones share
+/// count for each. Invalid after a `stop` request. Throws StatusError.
 MapStats ComputeStats(const MapSnapshot& snapshot, bool with_voxels, const Spread& spread = InPlace,
                       const std::stop_token& stop = {});
 
-/// What there is to know of a map and its cost.
+/// Content and cost of a map.
 struct MapReport {
   std::int64_t revision = 0;
   std::int64_t num_frames = 0;
   MapStats stats;
-  std::int64_t disk_bytes = 0;  ///< encoded blocks in the store, as it is now
+  std::int64_t disk_bytes = 0;  ///< encoded blocks in the store, at present
 };
 
-/// Of a state of a map; NOT_FOUND if the map is gone, CANCELLED after a `stop`. Visits every voxel. Throws StatusError.
+/// For a state of a map; NOT_FOUND if the map is gone, CANCELLED after a `stop`. Visits every voxel. Throws
+/// StatusError.
 Result<MapReport> ReportOf(MapRegistry& registry, const MapView& view, const Spread& spread = InPlace,
                            const std::stop_token& stop = {});
 

@@ -11,8 +11,8 @@
 
 namespace dhpmap {
 
-/// Exports and backups that clients fetch. Each takes its size of the disk for as long as it is open, so there are only
-/// so many at once; one that nobody reads on makes place when another is wanted. Thread-safe.
+/// Exports and backups being downloaded. Each occupies disk space while open, so their number is limited; one whose
+/// client has stopped reading is evicted for a new one. Thread-safe.
 class OutgoingFiles {
  public:
   using Clock = std::chrono::steady_clock;
@@ -20,16 +20,15 @@ class OutgoingFiles {
 
   OutgoingFiles(std::size_t max, Clock::duration idle) : max_(max), idle_(idle) {}
 
-  /// What open() makes, which may take long. RESOURCE_EXHAUSTED, reason TOO_BUSY, if there are as many as may be, all
-  /// of them being read. The file may outlive this; one that had to make place reads as ABORTED, reason
-  /// DOWNLOAD_EVICTED.
+  /// The file from open(), which may take long. RESOURCE_EXHAUSTED, reason TOO_BUSY, if all places have active readers.
+  /// The file may outlive this; an evicted one fails with ABORTED, reason DOWNLOAD_EVICTED.
   Opened Open(const std::function<Opened()>& open) DHPMAP_EXCLUDES(mutex_);
 
  private:
   struct Place {
-    Mutex mutex;  ///< taken after that of all
+    Mutex mutex;  ///< locked after that of the list
     std::unique_ptr<StoreBackup> file DHPMAP_GUARDED_BY(mutex);
-    /// None while it is opened.
+    /// None while it is being opened.
     Clock::time_point read_last DHPMAP_GUARDED_BY(mutex) = Clock::time_point::max();
   };
   class File;

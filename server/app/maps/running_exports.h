@@ -17,50 +17,50 @@
 
 namespace dhpmap {
 
-/// What goes out.
+/// Kind of an export.
 enum class ExportKind { kMapFile, kBackup };
 
-/// How far: the last three are ends, of which kLeft is that nobody reads on.
+/// The last three are final; kLeft: the client stopped reading.
 enum class ExportStage { kPreparing, kSending, kSent, kLeft, kFailed };
 
 struct ExportProgress {
-  std::int64_t id = 0;  ///< of this export, by which it is known while the server runs
+  std::int64_t id = 0;  ///< unique while the server runs
   ExportKind kind = ExportKind::kMapFile;
   ExportStage stage = ExportStage::kPreparing;
-  std::int64_t done_bytes = 0;   ///< that were read to be sent
-  std::int64_t total_bytes = 0;  ///< 0 while it is prepared
-  double elapsed_s = 0;          ///< since it was asked for, until its end
+  std::int64_t done_bytes = 0;   ///< read for sending
+  std::int64_t total_bytes = 0;  ///< 0 while it is being prepared
+  double elapsed_s = 0;          ///< from the request to its end
 };
 
-/// What there is to tell of the exports of a map.
+/// Changes of a map's exports.
 struct ExportNews {
-  /// That ended since, the newest kMaxTold, in the order of their ends; then those under way, the oldest kMaxTold, in
-  /// the order of their beginnings.
+  /// The newest kMaxTold that have ended since, in order of their ends; then the oldest kMaxTold running ones, in order
+  /// of their starts.
   std::vector<ExportProgress> exports;
-  std::size_t num_running = 0;  ///< under way, told or not
-  bool has_changed = false;     ///< one has begun, is sent from now on, or has ended since
-  std::uint64_t number = 0;     ///< to ask on from
+  std::size_t num_running = 0;  ///< all running ones
+  bool has_changed = false;     ///< one has started, begun sending, or ended since
+  std::uint64_t number = 0;     ///< for the next call
 };
 
-/// The exports under way, and the ends of the last ones: what those who follow a map are told. They are numbered by
-/// their news, so that who follows is a number and no queue; bytes are no news, and are there for who looks. What is
-/// kept is bounded by the exports that there may be at once, and kMaxEnded. Thread-safe.
+/// Running exports and the ends of recent ones, for watchers. Changes are numbered, so a watcher is a number, not a
+/// queue; byte counts are no changes but can be polled. Bounded by the number of concurrent exports and kMaxEnded.
+/// Thread-safe.
 class RunningExports : public std::enable_shared_from_this<RunningExports> {
  public:
   using Clock = std::chrono::steady_clock;
   using Opened = Result<std::unique_ptr<StoreBackup>>;
   static constexpr std::size_t kMaxTold = 8, kMaxEnded = 64;
 
-  /// Not on the stack: exports may outlive it.
+  /// Heap only: exports may outlive it.
   static std::shared_ptr<RunningExports> Create() { return std::shared_ptr<RunningExports>(new RunningExports()); }
 
-  /// What open() makes, as an export of `map` (empty: of all maps) that is under way from now until it fails, or the
-  /// file is read to its end or let go of.
+  /// The file from open(), as a running export of `map` (empty: of all maps) until it fails, is read to its end, or is
+  /// released.
   Opened Open(ExportKind kind, const std::string& map, const std::function<Opened()>& open) DHPMAP_EXCLUDES(mutex_);
 
-  /// How many news there were, of all maps. Takes no lock.
+  /// Number of changes so far, over all maps. Takes no lock.
   [[nodiscard]] std::uint64_t number() const { return number_.load(std::memory_order_acquire); }
-  /// Of a map, and of what is of all maps, after `since`, an earlier number.
+  /// Changes for a map, and for exports of all maps, after the earlier number `since`.
   [[nodiscard]] ExportNews Of(const std::string& map, std::uint64_t since) const DHPMAP_EXCLUDES(mutex_);
 
  private:
@@ -68,7 +68,7 @@ class RunningExports : public std::enable_shared_from_this<RunningExports> {
     std::string map;
     ExportProgress progress;  ///< elapsed_s only at its end
     Clock::time_point begin;
-    std::uint64_t changed = 0;  ///< number of its last news
+    std::uint64_t changed = 0;  ///< number of its last change
   };
   class File;
 
@@ -76,7 +76,7 @@ class RunningExports : public std::enable_shared_from_this<RunningExports> {
   std::int64_t Begin(ExportKind kind, const std::string& map) DHPMAP_EXCLUDES(mutex_);
   void BeginSending(std::int64_t id, std::int64_t total_bytes) DHPMAP_EXCLUDES(mutex_);
   void AddBytes(std::int64_t id, std::size_t num_bytes) DHPMAP_EXCLUDES(mutex_);
-  /// Without effect on what has ended. `is_kept`: for those who follow.
+  /// No effect on an ended export. `is_kept`: for watchers.
   void End(std::int64_t id, ExportStage stage, bool is_kept = true) DHPMAP_EXCLUDES(mutex_);
   void Note(Export& changed) DHPMAP_REQUIRES(mutex_);
 

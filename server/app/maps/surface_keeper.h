@@ -9,12 +9,12 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/surfaces/surface_cache.h"
-#include "server/app/session/lazy_thread.h"
+#include "server/app/open_map/lazy_thread.h"
 
 namespace dhpmap {
 
-/// While a map goes on and planners ask about it, makes again what they asked for lately, before they ask: on a thread
-/// that is there only while there is something to do. Thread-safe.
+/// Refreshes cached surfaces of queried maps while mapping changes them, ahead of the next query, on a thread that
+/// exists only while there is work. Thread-safe.
 class SurfaceKeeper {
  public:
   /// `cache` outlives this, or Stop().
@@ -23,10 +23,10 @@ class SurfaceKeeper {
   SurfaceKeeper(const SurfaceKeeper&) = delete;
   SurfaceKeeper& operator=(const SurfaceKeeper&) = delete;
 
-  /// That a map has a new state, which is kept until its turn if the map is wanted. Returns at once whether it is.
-  /// ready(), which may be empty, is called when all is made, unless a newer one came before.
+  /// Announces a new state of a map; it is pinned until its turn if the map is wanted. Returns at once whether it is.
+  /// Calls ready(), which may be empty, when all is done, unless a newer state came first.
   bool Note(std::shared_ptr<const MapSnapshot> state, std::function<void()> ready = {}) DHPMAP_EXCLUDES(mutex_);
-  /// Ends what is under way; later states are not noted.
+  /// Ends running work and ignores later states.
   void Stop() DHPMAP_EXCLUDES(mutex_);
 
  private:
@@ -42,7 +42,7 @@ class SurfaceKeeper {
   };
   std::map<std::string, Noted> newest_ DHPMAP_GUARDED_BY(mutex_);  ///< by map
   bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
-  LazyThread thread_;  // begun under the mutex; joined by Stop alone, once nobody begins it any more
+  LazyThread thread_;  // started under the mutex; joined only by Stop, after the last start
 };
 
 }  // namespace dhpmap

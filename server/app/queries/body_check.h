@@ -17,37 +17,37 @@
 
 namespace dhpmap {
 
-/// Something that the robot carries.
-struct CarriedSubmap {
+/// An object attached to the robot.
+struct AttachedSubmap {
   SubmapId submap;
   Transform T_robot_submap = Transform::Identity();
   std::vector<SubmapId> may_touch;
 };
 
-/// What is asked of each body, or motion.
+/// Options of a check, for each body or motion.
 struct CheckQuestion {
   BodyOptions options;
-  Transform T_map_query = Transform::Identity();  ///< from the asker's frame
-  std::vector<CarriedSubmap> attached;
-  TouchLists parts{};            ///< what each body, or sphere of a motion, may touch
-  std::size_t max_contacts = 1;  ///< of each; 0: whether there is one is all that is asked
-  bool with_clearance = false;   ///< of motions: how near each comes to surfaces
+  Transform T_map_query = Transform::Identity();  ///< transform of the query's frame
+  std::vector<AttachedSubmap> attached;
+  TouchLists parts{};            ///< allowed contacts of each body, or sphere of a motion
+  std::size_t max_contacts = 1;  ///< of each; 0: only whether there is one
+  bool with_clearance = false;   ///< of motions: compute the clearance
 };
 
-/// A contact, from the map's frame to that of the asker.
+/// Transforms a contact from the map's frame to that of the query.
 void MoveContact(const Transform& T_query_map, BodyContact& contact);
 
-/// Do these bodies (in the asker's frame) touch anything? Answered piece by piece, so that others have their turns
-/// between two. Thread-compatible.
+/// Collision check of bodies in the query's frame, in pieces, so that other requests get their turns.
+/// Thread-compatible.
 class BodyCheck {
  public:
   /// The cache and the bodies outlive this.
   BodyCheck(std::shared_ptr<const MapSnapshot> state, SurfaceCache& cache, CheckQuestion question,
             std::span<const Body> bodies, std::int64_t most_work = kMostCheckWork);
 
-  /// Hands the next answers, in the asker's frame, to `take` in their order; what they refer to stays as long as the
-  /// state. Surfaces that are not in the cache are made meanwhile. True if there are more. CANCELLED soon after `stop`
-  /// is requested; RESOURCE_EXHAUSTED once all that it may cost is spent.
+  /// Passes the next answers, in the query's frame and in order, to `take`; references are valid as long as the state.
+  /// Computes missing surfaces. True if there are more. CANCELLED soon after a `stop` request; RESOURCE_EXHAUSTED once
+  /// the work budget is spent.
   Result<bool> Next(const CheckPiece& piece, const std::stop_token& stop,
                     const std::function<void(const BodyAnswer&)>& take);
 
@@ -60,7 +60,7 @@ class BodyCheck {
   std::int64_t work_left_;
 };
 
-/// All of it at once.
+/// Runs all pieces.
 Status CheckBodies(const MapView& view, SurfaceCache& cache, const CheckQuestion& question,
                    std::span<const Body> bodies, const std::stop_token& stop,
                    const std::function<void(const BodyAnswer&)>& take);

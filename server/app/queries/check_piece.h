@@ -7,16 +7,16 @@
 
 namespace dhpmap {
 
-/// How far a check goes at a time, in units of WorkBudget.
+/// Size of a piece of a check, in units of WorkBudget.
 struct CheckPiece {
-  std::int64_t work = 100'000;  ///< about so much; 30 ms for large boxes
-  bool may_overrun = true;      ///< what takes more alone is done all the same; else it is left to another piece
+  std::int64_t work = 100'000;  ///< approximate; 30 ms for large boxes
+  bool may_overrun = true;      ///< run an item that alone exceeds it; else leave it to another piece
 };
 
-/// What all of a check may cost: 140 s of one core for large boxes, which cost most a unit. A deadline ends it earlier.
+/// Limit of a whole check: 140 s of one core for large boxes, the most expensive ones. A deadline ends it earlier.
 inline constexpr std::int64_t kMostCheckWork = 500'000'000;
 
-/// RESOURCE_EXHAUSTED, for what would cost more. `field`: of what there is too much.
+/// RESOURCE_EXHAUSTED for a check beyond the limit. `field`: the list that is too long.
 Status TooMuchWork(const char* field);
 
 }  // namespace dhpmap

@@ -14,7 +14,7 @@
 
 namespace dhpmap {
 
-/// Nodes at corner_m + (i, j, k) * resolution_m in the asker's frame, numbered with i fastest, then j, then k.
+/// Nodes at corner_m + (i, j, k) * resolution_m in the query's frame, numbered with i fastest, then j, then k.
 struct GridQuestion {
   DistanceQuestion distances;
   Eigen::Vector3d corner_m = Eigen::Vector3d::Zero();
@@ -24,8 +24,8 @@ struct GridQuestion {
   [[nodiscard]] std::int64_t num_nodes() const { return size.prod(); }
 };
 
-/// Distances at the nodes of a grid, some thousands at a time: one who waits keeps the state of the map, and no more.
-/// Belongs to one thread at a time. The cache outlives it.
+/// Distances at the nodes of a grid, some thousand at a time: between batches it only pins the state of the map. One
+/// thread at a time. The cache outlives it.
 class DistanceGrid {
  public:
   DistanceGrid(std::shared_ptr<const MapView> view, SurfaceCache& cache, const GridQuestion& question)
@@ -38,8 +38,8 @@ class DistanceGrid {
   /// Number of the first node of the next batch.
   [[nodiscard]] std::int64_t next() const { return next_; }
   [[nodiscard]] bool is_done() const { return next_ == question_.num_nodes(); }
-  /// The next nodes, kMostInBatch at most; valid until the next call. Requires !is_done(). CANCELLED soon after `stop`
-  /// is requested.
+  /// The next nodes, at most kMostInBatch; valid until the next call. Requires !is_done(). CANCELLED soon after a
+  /// `stop` request.
   Result<std::span<const SurfaceDistance>> NextBatch(const std::stop_token& stop);
 
  private:

@@ -13,16 +13,15 @@
 
 namespace dhpmap {
 
-/// What is asked of each point.
+/// Options of a distance query.
 struct DistanceQuestion {
   DistanceOptions options;
-  Transform T_map_query = Transform::Identity();  ///< from the asker's frame
+  Transform T_map_query = Transform::Identity();  ///< transform of the query's frame
 };
 
-/// How far are `points_m` (finite, in the asker's frame) from the nearest surface? Looks for many at once with
-/// `spread`; hands the answers, in the asker's frame, to `take` in their order, from this thread; what they refer to
-/// stays as long as the view. Surfaces that are not in the cache are made meanwhile. CANCELLED soon after `stop` is
-/// requested.
+/// Distances of `points_m` (finite, query's frame) to the nearest surface, in parallel by `spread`. Passes the answers,
+/// in the query's frame and in order, to `take` on this thread; references are valid as long as the view. Computes
+/// missing surfaces. CANCELLED soon after a `stop` request.
 Status LookUpDistances(const MapView& view, SurfaceCache& cache, const DistanceQuestion& question,
                        std::span<const Eigen::Vector3d> points_m, const std::stop_token& stop, const Spread& spread,
                        const std::function<void(const SurfaceDistance&)>& take);

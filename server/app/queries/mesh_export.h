@@ -22,17 +22,17 @@ namespace dhpmap {
 /// Takes room for so many bytes, or says that there is none.
 using RoomFor = std::function<Status(std::size_t num_bytes)>;
 
-/// A file that is made while it is read: a reader that waits keeps the state of the map and one piece, no more. Belongs
-/// to one thread at a time.
+/// A file generated while it is read: between pieces it only pins the state of the map and holds one piece. One thread
+/// at a time.
 class MeshFile {
  public:
-  [[nodiscard]] std::int64_t revision() const { return revision_; }  ///< that it shows
+  [[nodiscard]] std::int64_t revision() const { return revision_; }  ///< of its state
   [[nodiscard]] MeshFormat format() const { return format_; }
   [[nodiscard]] std::size_t num_bytes() const { return num_bytes_; }
-  /// Of kGlb: the same for the same bytes; else empty. A file of one submap does not change with its pose.
+  /// Of kGlb: equal for equal bytes; else empty. For one submap it is independent of the pose.
   [[nodiscard]] std::string etag() const { return glb_ ? glb_->etag : std::string(); }
 
-  /// The next piece, of 1 to 200,000 bytes. False: there is none.
+  /// The next piece of 1 to 200,000 bytes. False at the end.
   bool Next(std::string& piece);
 
  private:
@@ -57,12 +57,12 @@ class MeshFile {
   CountedBytes reserved_;
 };
 
-/// What a MeshFile keeps beside the state of the map, more or less; 0 if there is no such submap. Who makes one takes
-/// so much of the budget for answers: it is noted as MemoryKind::kReserved, since what is kept is counted as meshing.
+/// Approximate memory of a MeshFile besides the state of the map; 0 if there is no such submap. Reserve that much of
+/// the budget for answers: it counts as MemoryKind::kReserved, because the memory itself counts as meshing.
 std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request);
 
-/// Counts the surface, which takes one core about half the time of making it. NOT_FOUND; CANCELLED after a `stop`
-/// requested meanwhile. What is on the disk is read by `spread` first. Throws StatusError.
+/// Counts the surface, in about half the time of generating it on one core. NOT_FOUND; CANCELLED after a `stop`
+/// request. First reads evicted tiles by `spread`. Throws StatusError.
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                             const std::stop_token& stop = {}, const Spread& spread = InPlace);
 

@@ -11,8 +11,8 @@
 
 namespace dhpmap {
 
-// Questions about objects rather than places. What answers refer to lasts as long as the view. Surfaces that are not in
-// the cache are made meanwhile, and kept until the answer is there. CANCELLED soon after `stop` is requested.
+// Queries about objects rather than places. References are valid as long as the view. Computes missing surfaces and
+// pins them until the end. CANCELLED soon after a `stop` request.
 
 Result<std::vector<SubmapMatch>> FindSubmaps(const MapView& view, SurfaceCache& cache, const SubmapQuestion& question,
                                              const std::stop_token& stop);

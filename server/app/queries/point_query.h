@@ -12,8 +12,8 @@
 
 namespace dhpmap {
 
-/// What is at `points_m` (map frame, finite)? Looks for many at once with `spread`; hands the answers to `take` in
-/// their order, from this thread. CANCELLED soon after `stop` is requested.
+/// Point queries at `points_m` (map frame, finite), in parallel by `spread`. Passes the answers in order to `take` on
+/// this thread. CANCELLED soon after a `stop` request.
 Status LookUpPoints(const MapView& view, std::span<const Eigen::Vector3d> points_m, const std::stop_token& stop,
                     const Spread& spread, const std::function<void(const PointInfo&)>& take);
 

@@ -12,9 +12,8 @@
 
 namespace dhpmap {
 
-/// What do these rays (in the asker's frame) meet first? Hands the answers, in the asker's frame, to `take` in their
-/// order; what they refer to stays as long as the view. Surfaces that are not in the cache are made meanwhile.
-/// CANCELLED soon after `stop` is requested.
+/// First hits of rays in the query's frame. Passes the answers, in the query's frame and in order, to `take`;
+/// references are valid as long as the view. Computes missing surfaces. CANCELLED soon after a `stop` request.
 Status CastRays(const MapView& view, SurfaceCache& cache, const DistanceQuestion& question, std::span<const Ray> rays,
                 const std::stop_token& stop, const std::function<void(const RayHit&)>& take);
 

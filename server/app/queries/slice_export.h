@@ -14,18 +14,18 @@
 namespace dhpmap {
 
 enum class SliceFormat {
-  kCells,  ///< no picture
+  kCells,  ///< no image
   kPgm,
   kPng,
-  kYaml,  ///< no picture either, but what goes with one
+  kYaml,  ///< no image, only its YAML
 };
 
-/// What slice, and as what.
+/// Selects a slice and a format.
 struct SliceRequest {
-  SliceOptions options;                       ///< without corner and size; a resolution of 0 is the map's voxel size
-  std::optional<Eigen::AlignedBox2d> area_m;  ///< finite, not empty; nothing: all that is known
+  SliceOptions options;  ///< corner and size are ignored; a resolution of 0 is the map's voxel size
+  std::optional<Eigen::AlignedBox2d> area_m;  ///< finite, not empty; nothing: all known space
   SliceFormat format = SliceFormat::kCells;
-  std::string image;  ///< its path in the YAML; empty: after the map
+  std::string image;  ///< path of the image in the YAML; empty: derived from the map's name
 };
 
 struct SliceAnswer {
@@ -36,12 +36,12 @@ struct SliceAnswer {
   std::string yaml;
 };
 
-/// INVALID_ARGUMENT, with the field, for more than kMostSliceCells cells or more points to look at than take seconds;
-/// FAILED_PRECONDITION if nothing is known and no area given; CANCELLED soon after `stop` is requested.
+/// INVALID_ARGUMENT, with the field, for more than kMostSliceCells cells or too many sample points (several seconds);
+/// FAILED_PRECONDITION if nothing is known and no area is given; CANCELLED soon after a `stop` request.
 Result<SliceAnswer> ExportSlice(const MapView& view, SurfaceCache& cache, const SliceRequest& request,
                                 const std::stop_token& stop);
 
-/// As bytes a little less than what gRPC's clients take of a message by default.
+/// In bytes, slightly below the default message limit of gRPC clients.
 inline constexpr std::int64_t kMostSliceCells = 4'000'000;
 
 }  // namespace dhpmap

@@ -13,18 +13,18 @@
 
 namespace dhpmap {
 
-/// Which submaps to list: those that pass every condition given. Map frame.
+/// A filter of submaps: all given conditions must hold. Map frame.
 struct SubmapFilter {
   struct Box {
     Eigen::Vector3d min_m, max_m;
   };
-  std::optional<std::vector<ClassId>> classes;  ///< one of these; a submap without a class passes none
+  std::optional<std::vector<ClassId>> classes;  ///< one of these; never matches a submap without a class
   std::optional<Panoptic> panoptic;
-  std::optional<Box> region;           ///< touched by the bounding sphere
-  std::optional<BoundingSphere> near;  ///< touched by the bounding sphere
+  std::optional<Box> region;           ///< intersects the bounding sphere
+  std::optional<BoundingSphere> near;  ///< intersects the bounding sphere
 
   [[nodiscard]] bool Passes(const Submap& submap) const;
-  /// The same of one of which no more is known; no near or region passes an empty sphere.
+  /// The same for a submap reduced to its place; near and region never match an empty sphere.
   [[nodiscard]] bool Passes(const SubmapPlace& place) const;
 
  private:
@@ -32,7 +32,7 @@ struct SubmapFilter {
   [[nodiscard]] bool TouchesAll(const BoundingSphere& sphere) const;
 };
 
-/// Up to `max` of them, by ascending id, from the first behind `after` on.
+/// Up to `max` of them, by ascending id, from the first after `after` on.
 std::vector<std::shared_ptr<const Submap>> SelectSubmaps(const MapSnapshot& snapshot, const SubmapFilter& filter,
                                                          std::optional<SubmapId> after = std::nullopt,
                                                          std::size_t max = std::numeric_limits<std::size_t>::max());

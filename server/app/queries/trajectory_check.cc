@@ -41,7 +41,7 @@ Status TrajectoryCheck::MakeQuery(const std::stop_token& stop) {
                             .spheres = question_.parts,
                             .max_contacts = question_.max_contacts,
                             .with_clearance = question_.with_clearance};
-  for (const CarriedSubmap& carried : question_.attached) {
+  for (const AttachedSubmap& carried : question_.attached) {
     options.attached.push_back({carried.submap, carried.may_touch});
   }
   auto surfaces = cache_.Of(state_, options.bodies.scope.with_absent);

@@ -15,8 +15,8 @@
 
 namespace dhpmap {
 
-/// Can robots go along these motions (in the asker's frame; `motion_of` gives them by number)? Answered piece by piece,
-/// as BodyCheck; one motion is always answered in one. Thread-compatible.
+/// Checks motions in the query's frame (`motion_of` returns them by number), in pieces as BodyCheck; a single motion is
+/// never divided. Thread-compatible.
 class TrajectoryCheck {
  public:
   using MotionOf = std::function<RobotMotion(std::size_t)>;
@@ -24,12 +24,12 @@ class TrajectoryCheck {
   TrajectoryCheck(std::shared_ptr<const MapSnapshot> state, SurfaceCache& cache, CheckQuestion question,
                   std::size_t num_motions, MotionOf motion_of, std::int64_t most_work = kMostCheckWork);
 
-  /// As BodyCheck::Next; RESOURCE_EXHAUSTED also for something attached that no robot carries.
+  /// As BodyCheck::Next; RESOURCE_EXHAUSTED also for an attached object that is too large.
   Result<bool> Next(const CheckPiece& piece, const std::stop_token& stop,
                     const std::function<void(const TrajectoryAnswer&)>& take);
 
  private:
-  /// One for some motions: between two the cache may let go of surfaces.
+  /// Makes a query for some motions: between two queries the cache may evict surfaces.
   Status MakeQuery(const std::stop_token& stop);
 
   const std::shared_ptr<const MapSnapshot> state_;
@@ -43,7 +43,7 @@ class TrajectoryCheck {
   std::int64_t work_left_;
 };
 
-/// All of it at once.
+/// Runs all pieces.
 Status CheckTrajectories(const MapView& view, SurfaceCache& cache, const CheckQuestion& question,
                          std::size_t num_motions, const std::function<RobotMotion(std::size_t)>& motion_of,
                          const std::stop_token& stop, const std::function<void(const TrajectoryAnswer&)>& take);

@@ -21,16 +21,16 @@ struct ObservedVoxel {
   float distance_m = 0;
   float weight = 0;
   Color color;
-  std::int32_t class_id = -1;  ///< most seen class, or that of the submap; -1: none
+  std::int32_t class_id = -1;  ///< most frequent class, or that of the submap; -1: none
   float class_confidence = 0;
 };
 
-/// Goes through the observed voxels of one submap, block by block. What it reads from the disk for it, and nobody else
-/// has, stays for a few tiles only. Thread-compatible; keeps its snapshot alive.
+/// Iterates over the observed voxels of one submap, block by block. Keeps only a few of the tiles in memory that it
+/// reads from disk. Thread-compatible; pins its snapshot.
 class VoxelWalk {
  public:
-  /// Only voxels with |distance| up to `max_abs_distance_m`; 0: all. NOT_FOUND; INVALID_ARGUMENT for a distance that is
-  /// negative or not finite. `spread` reads from the disk, and lives as long as the walk. Throws StatusError.
+  /// Only voxels with |distance| up to `max_abs_distance_m`; 0: all. NOT_FOUND; INVALID_ARGUMENT for a negative or
+  /// non-finite distance. `spread` reads from disk and outlives the walk. Throws StatusError.
   static Result<VoxelWalk> Begin(std::shared_ptr<const MapSnapshot> snapshot, SubmapId submap,
                                  double max_abs_distance_m, Spread spread = InPlace);
 
@@ -45,7 +45,7 @@ class VoxelWalk {
   VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& submap, double max_abs_distance_m,
             Spread spread);
   BlockEntry Next();
-  /// The next tile and those behind it.
+  /// The next tile and some after it.
   void ReadAhead();
 
   std::shared_ptr<const MapSnapshot> snapshot_;
@@ -53,7 +53,7 @@ class VoxelWalk {
   double max_abs_distance_m_;
   Spread spread_;
   std::size_t tile_ = 0, block_ = 0;                        ///< the next
-  std::deque<std::shared_ptr<const ScannedTile>> scanned_;  ///< that tile, once it was begun, and others behind it
+  std::deque<std::shared_ptr<const ScannedTile>> scanned_;  ///< that tile, once started, and prefetched ones
   std::vector<ObservedVoxel> voxels_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace dhpmap {
 
-/// NOT_FOUND, with reason MERGED_INTO and the other's name if the submap is a part of another now.
+/// NOT_FOUND, with reason MERGED_INTO and the successor's name if the submap was merged.
 Status NoSuchSubmap(const MapInfo& map, SubmapId id);
 
 }  // namespace dhpmap

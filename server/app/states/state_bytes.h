@@ -7,12 +7,12 @@
 
 namespace dhpmap {
 
-/// Bytes of blocks that a submap has and a later state of it (null: there is none) does not share. Costs in proportion
-/// to the tiles of both, and to the blocks of tiles that differ.
+/// Bytes of blocks of a submap that a later state of it (null: none) does not share. Linear in the tiles of both, and
+/// in the blocks of differing tiles.
 std::size_t BlockBytesNotIn(const Submap& before, const Submap* later);
 
-/// Bytes that a state of a map has and a later one does not share: blocks, rows and their lists, tables of tiles and of
-/// free space.
+/// Bytes of a state of a map that a later one does not share: blocks, rows and their lists, tables of tiles and of free
+/// space.
 std::size_t StateBytesNotIn(const MapSnapshot& before, const MapSnapshot& later);
 
 }  // namespace dhpmap

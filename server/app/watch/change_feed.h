@@ -15,27 +15,27 @@
 
 namespace dhpmap {
 
-/// Who follows which map, and what there is to read for them. A follower is a position in what the store keeps, not a
-/// queue: it is woken, and reads on. What was read last is kept while a map has followers, so that however many they
-/// are, the store is read once. Thread-safe.
+/// The watchers of all maps, and recent changes for them. A watcher is a position in the store's history, not a queue:
+/// it is woken and reads on. Recent changes are cached while a map has watchers, so the store is read once for all of
+/// them. Thread-safe.
 class ChangeFeed {
  public:
-  /// Of the newest changes of a map so many bytes are kept for its followers.
+  /// Cache limit of a map's newest changes.
   static constexpr std::size_t kKept_bytes = 1u << 20;
-  /// And of all maps together: beyond, each follower reads for itself.
+  /// Cache limit of all maps together; beyond it, each watcher reads from the store.
   static constexpr std::size_t kKeptOfAll_bytes = 32u << 20;
-  /// One who reads is given so many at a time, if one change is not more.
+  /// Limit of one read, except for a single larger change.
   static constexpr std::size_t kPage_bytes = 128u << 10;
 
   /// The store outlives the feed.
   ChangeFeed(MapStore& store, std::size_t max_followers) : store_(store), max_followers_(max_followers) {}
 
-  /// One who follows a map, until the end of its life.
+  /// A watcher of a map, during its lifetime.
   class Follower {
    public:
     Follower(ChangeFeed& feed, std::string map, std::function<void()> wake)
         : feed_(feed), map_(std::move(map)), wake_(std::move(wake)) {}
-    /// When it returns, `wake` does not run and never will.
+    /// After it returns, `wake` never runs.
     ~Follower() { feed_.Remove(*this); }
     Follower(const Follower&) = delete;
     Follower& operator=(const Follower&) = delete;
@@ -47,14 +47,14 @@ class ChangeFeed {
     const std::function<void()> wake_;
   };
 
-  /// `wake` runs whenever the map may have changed, or is deleted, on the thread that did it: it must be quick, and
-  /// must not call the feed. RESOURCE_EXHAUSTED, reason TOO_MANY_WATCHERS.
+  /// `wake` runs whenever the map may have changed or was deleted, on the changing thread: it must be quick and not
+  /// call the feed. RESOURCE_EXHAUSTED, reason TOO_MANY_WATCHERS.
   Result<std::unique_ptr<Follower>> Follow(const std::string& map, std::function<void()> wake) DHPMAP_EXCLUDES(mutex_);
 
-  /// See MapStore::ListChanges, with at most a page. Reads the store only for what has not been read yet.
+  /// See MapStore::ListChanges, with at most a page. Reads the store only for changes that are not cached.
   Result<ChangeList> Read(const std::string& map, std::int64_t after_revision) DHPMAP_EXCLUDES(read_mutex_, mutex_);
 
-  /// The store has another state of the map, or has the map no longer.
+  /// The store has a new state of the map, or no longer has the map.
   void Notify(const std::string& map) DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] std::size_t num_followers() const DHPMAP_EXCLUDES(mutex_);
@@ -63,8 +63,8 @@ class ChangeFeed {
   /// A map with followers.
   struct Channel {
     std::set<Follower*> followers;
-    /// What was read last: the changes of all revisions after complete_after, up to `revision`.
-    bool is_fresh = false;  ///< nothing has happened since
+    /// Cached changes: of all revisions after complete_after, up to `revision`.
+    bool is_fresh = false;  ///< no change since
     bool has_read = false;
     std::uint64_t history_id = 0;
     std::int64_t revision = 0;
@@ -82,7 +82,8 @@ class ChangeFeed {
 
   MapStore& store_;
   const std::size_t max_followers_;
-  Mutex read_mutex_ DHPMAP_ACQUIRED_BEFORE(mutex_);  // while the store is read: of those who come meanwhile none does
+  Mutex read_mutex_
+      DHPMAP_ACQUIRED_BEFORE(mutex_);  // held while the store is read, so that concurrent watchers read it once
   mutable Mutex mutex_;
   std::map<std::string, Channel> channels_ DHPMAP_GUARDED_BY(mutex_);
   std::size_t num_followers_ DHPMAP_GUARDED_BY(mutex_) = 0;

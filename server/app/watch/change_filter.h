@@ -8,15 +8,15 @@
 
 namespace dhpmap {
 
-/// Which events to tell: those that pass every condition given.
+/// A filter of events: all given conditions must hold.
 struct ChangeFilter {
   std::set<SubmapId> submaps;  ///< one of these; empty: any
-  SubmapFilter place;          ///< of the submap before or after; what is gone, before, if it was there
+  SubmapFilter place;          ///< of the submap before or after; for a removed one, before
   std::set<ChangeKind> kinds;  ///< one of these; empty: any
-  SubmapParts parts;           ///< of kChanged, any of these has changed; empty: any, or none
+  SubmapParts parts;           ///< of kChanged: one of these has changed; empty: any
 
   [[nodiscard]] bool Passes(const SubmapEvent& event) const;
-  /// Of a region only the place counts; a filter that asks for some objects passes none.
+  /// Only the place of a region counts; filters by object never match.
   [[nodiscard]] bool Passes(const RegionEvent& event) const;
 };
 

@@ -12,7 +12,7 @@
 
 namespace dhpmap {
 
-/// A place in what becomes of a map: everything up to the revision is known.
+/// A position in a map's history: everything up to the revision is known.
 struct WatchPosition {
   std::uint64_t history_id = 0;
   std::int64_t revision = 0;
@@ -21,17 +21,17 @@ struct WatchPosition {
 
 /// "{history}-{revision}": 16 hexadecimal digits, and decimal ones.
 std::string PositionText(const WatchPosition& position);
-/// Nothing for what PositionText does not make.
+/// Nothing for a malformed text.
 std::optional<WatchPosition> ParsePosition(std::string_view text);
 
-/// Where somebody wants to begin.
+/// Requested start of a watch.
 struct WatchStart {
-  std::int64_t revision = 0;                ///< the first to be told of; 0: from now on
-  std::optional<std::uint64_t> history_id;  ///< that the revision is of; none: the present one
+  std::int64_t revision = 0;                ///< the first to report; 0: from now on
+  std::optional<std::uint64_t> history_id;  ///< of that revision; none: the present one
 };
 
-/// The position before a start of the map; nothing: where it is stored now. OUT_OF_RANGE, reason HISTORY_LOST, for one
-/// of another history, of a revision that the map has not reached, or of a state that was lost.
+/// The position before a start; nothing: the stored state. OUT_OF_RANGE, reason HISTORY_LOST, for another history, a
+/// revision that the map has not reached, or a lost state.
 Result<std::optional<WatchPosition>> PositionBefore(const WatchStart& start, const MapInfo& map,
                                                     const LostRevisions& lost);
 

@@ -16,7 +16,7 @@ LockedServer::LockedServer(const auth::CallLimits& limits) {
     const std::string name(auth::NameOf(role));
     keys_[name] = MakeKey({.name = name, .role = role, .sessions = {"*"}});
   }
-  server_ = std::make_unique<TestServer>(*store_, SessionOptions{}, GrpcOptions{.gate = gate_});
+  server_ = std::make_unique<TestServer>(*store_, OpenMapOptions{}, GrpcOptions{.gate = gate_});
   auto gateway = Gateway::Start({.address = "127.0.0.1:0"}, server_->grpc().InProcessChannel(), {.gate = gate_});
   EXPECT_OK(gateway);
   gateway_ = *std::move(gateway);

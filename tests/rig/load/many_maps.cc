@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
-#include "server/app/session/lazy_thread.h"
+#include "server/app/open_map/lazy_thread.h"
 #include "tests/integration/test_server.h"
 #include "tests/rig/rig.h"
 #include "tests/rig/server_under_test.h"

@@ -75,10 +75,10 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/app/edits", {"mapping", "storage/store.h", "server/app/states"}},
       {"server/app/queries", {"mapping", "server/base", "server/app/states"}},
       {"server/app/watch", {"mapping", "storage/store.h", "server/app/states", "server/app/queries"}},
-      {"server/app/session", {"mapping", "storage/store.h", "server/app/states", "server/app/feeds"}},
+      {"server/app/open_map", {"mapping", "storage/store.h", "server/app/states", "server/app/feeds"}},
       {"server/app/maps",
        {"mapping", "storage/store.h", "server/app/states", "server/app/feeds", "server/app/edits", "server/app/watch",
-        "server/app/session"}},
+        "server/app/open_map"}},
       {"server/metrics", {"mapping/base", "server/app", "server/log"}},
       {"server/config", {"mapping/base", "mapping/labels", "mapping/map", "server/app", "server/log"}},
       {"server/wire", {"mapping", "server/app", "server/base", "proto"}},
@@ -139,7 +139,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
         "segment_bundles.h", "segment_parts.h"}},
       {"mapping/space", {"free_space_finder.h", "presence.h"}},
       {"mapping/plausibility", {"frame_check.h", "frame_judge.h"}},
-      {"mapping/tracking", {"activity.h", "overlap_table.h", "segment_votes.h", "tracker.h", "visibility.h"}},
+      {"mapping/tracking", {"activity.h", "overlap_table.h", "tracker.h", "visibility.h"}},
       {"mapping/crf", {"dense_crf.h", "label_channels.h"}},
       {"mapping/evidence",
        {"known_instances.h", "label_management.h", "refinement_region.h", "stray_voxels.h", "submap_labels.h",
@@ -339,7 +339,7 @@ TEST(Architecture, NoFileIsNamedForNothing) {
 
 /// What the system's clock says may change by a year at any moment: it is for stamps that people read.
 TEST(Architecture, OnlyStampsAreOfTheSystemsClock) {
-  const std::vector<std::string> stamps = {"server/app/session/map_session.cc", "server/app/maps/map_registry.cc",
+  const std::vector<std::string> stamps = {"server/app/open_map/open_map.cc", "server/app/maps/map_registry.cc",
                                            "server/record/map_recorder.cc"};
   const fs::path root = testing::SourceDir();
   for (const char* top : {"mapping", "storage", "proto", "server"}) {

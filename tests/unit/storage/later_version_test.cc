@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a later version will do: new columns, config keys and schema steps, over rows that this version wrote.
+#include <algorithm>
 #include <map>
 
 #include "storage/rows/change_rows.h"
@@ -32,6 +33,8 @@ std::vector<SchemaStep> WithSteps(std::initializer_list<SchemaStep> more) {
 class LaterVersionTest : public SqliteStoreTest {
  protected:
   Database Direct() { return std::move(Database::Open(Path(), OpenMode::kReadWrite, 1000)).value(); }
+  /// As a version writes it that has this key, too.
+  void AddConfigKey(const std::string& map, const std::string& key, const std::string& value);
 };
 
 // A later column.
@@ -161,6 +164,15 @@ void WriteConfigAs(Database& database, const std::string& name, const std::vecto
   ASSERT_TRUE(update->Bind(row.key).Run().ok());
 }
 
+void LaterVersionTest::AddConfigKey(const std::string& map, const std::string& key, const std::string& value) {
+  Database database = Direct();
+  const std::int64_t map_key = ReadMapHead(database, map)->key;
+  std::vector<ConfigRow> rows = ReadConfigRows(database, map_key).value();
+  rows.push_back({map_key, key, value});
+  std::sort(rows.begin(), rows.end(), [](const ConfigRow& a, const ConfigRow& b) { return a.key < b.key; });
+  WriteConfigAs(database, map, rows);
+}
+
 TEST_F(LaterVersionTest, AKeyThatTheWritingVersionDidNotKnowHasItsDefault) {
   Open();
   const auto map = CreateSample("house");
@@ -191,13 +203,7 @@ TEST_F(LaterVersionTest, AKeyOfItsOwnIsNamedByThisOneAndLeavesOtherMapsAlone) {
   CreateSample("house");
   const auto other = CreateSample("other");
   store_ = nullptr;
-  {
-    Database database = Direct();
-    const std::int64_t key = ReadMapHead(database, "house")->key;
-    std::vector<ConfigRow> rows = ReadConfigRows(database, key).value();
-    rows.push_back({key, "warp.factor", "9"});
-    WriteConfigAs(database, "house", rows);
-  }
+  AddConfigKey("house", "warp.factor", "9");
   Open();
   const Status loaded = store_->LoadMap("house").status();
   EXPECT_EQ(loaded.code(), StatusCode::kFailedPrecondition);
@@ -205,6 +211,45 @@ TEST_F(LaterVersionTest, AKeyOfItsOwnIsNamedByThisOneAndLeavesOtherMapsAlone) {
   EXPECT_NE(loaded.message().find("warp.factor"), std::string::npos) << loaded.ToString();
   EXPECT_EQ((*store_->ListMaps())[0].damage.reason(), Reason("NEWER_CONFIG"));
   ExpectStored(*other->published());
+}
+
+// Keys of older versions.
+
+TEST_F(LaterVersionTest, ARetiredKeyIsReadAtItsDefaultAndTheMapGoesOn) {
+  Open();
+  const auto map = CreateSample("house");
+  store_ = nullptr;
+  AddConfigKey("house", "tracking.weigh_scores", "false");
+  Open();
+  auto loaded = store_->LoadMap("house");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
+  Map next(*loaded);
+  next.mutable_info().num_frames += 1;
+  ASSERT_TRUE(store_->Commit(**loaded, *next.Publish(20), Durability::kNormal).ok());
+  Open();
+  ExpectStored(*next.published());
+}
+
+TEST_F(LaterVersionTest, AMapWithARetiredSettingIsRefusedWithWhatToDoAndIsLeftAsItIs) {
+  Open();
+  CreateSample("house");
+  const auto other = CreateSample("other");
+  store_ = nullptr;
+  AddConfigKey("house", "tracking.weigh_scores", "true");
+  Open();
+  const Status loaded = store_->LoadMap("house").status();
+  EXPECT_EQ(loaded.code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(loaded.reason(), Reason("RETIRED_CONFIG"));
+  EXPECT_NE(loaded.message().find("tracking.weigh_scores = true"), std::string::npos) << loaded.ToString();
+  EXPECT_NE(loaded.message().find("map its frames again"), std::string::npos) << loaded.ToString();
+  EXPECT_EQ((*store_->ListMaps())[0].damage.reason(), Reason("RETIRED_CONFIG"));
+  ExpectStored(*other->published());
+  store_ = nullptr;
+  Database database = Direct();
+  const std::vector<ConfigRow> rows = ReadConfigRows(database, ReadMapHead(database, "house")->key).value();
+  EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const ConfigRow& row) {
+    return row.key == "tracking.weigh_scores" && row.value == "true";
+  }));
 }
 
 TEST_F(LaterVersionTest, AKeyThatCameInUnsealedIsDamage) {

@@ -75,7 +75,7 @@ class StoredSide {
     return text;
   }
 
-  void LetGoOfPages(bool even_used) { map_->LetGoOfPages(even_used); }
+  void EvictPages(bool even_used) { map_->EvictPages(even_used); }
   [[nodiscard]] std::shared_ptr<const MapSnapshot> state() const { return map_->published(); }
 
   void AwaitCollection() const {
@@ -124,7 +124,7 @@ TEST(PagedMap, IsWhateverHappensTheSameAsOneInMemory) {
       ASSERT_EQ(whole.Change(choice, time_ns), paged.Change(choice, time_ns));
       if (step % 3 == 0) {
         ASSERT_TRUE(MapsAreEqual(*whole.state(), *paged.state()));
-        paged.LetGoOfPages(random() % 2 == 0);
+        paged.EvictPages(random() % 2 == 0);
       }
       states.push_back({whole.state(), paged.state()});
       if (step % 15 != 14) continue;

@@ -80,7 +80,7 @@ TEST_F(SpillFileTest, WhatIsLeftThereIsTheSameStateWithTheSameParts) {
   Map map = MadeMap();
   const auto before = map.published();
   const StateMarks marks(*before);
-  const auto same = map.LetGoOfPages(true, &spill_);
+  const auto same = map.EvictPages(true, &spill_);
   ASSERT_NE(same, before);
   EXPECT_EQ(same->revision(), before->revision());
   EXPECT_TRUE(IsOnDisk(*same));
@@ -92,7 +92,7 @@ TEST_F(SpillFileTest, WhatIsLeftThereIsTheSameStateWithTheSameParts) {
   }
   EXPECT_TRUE(DiffTiles(StateMarks(*same), *before).empty()) << "as it was read";
   const std::int64_t num_bytes = file_->size_bytes();
-  const auto again = map.LetGoOfPages(true, &spill_);
+  const auto again = map.EvictPages(true, &spill_);
   EXPECT_TRUE(IsOnDisk(*again));
   EXPECT_EQ(file_->size_bytes(), num_bytes) << "it is there already";
 }
@@ -106,7 +106,7 @@ TEST_F(SpillFileTest, AMapThatIsWrittenToInBetweenIsTheOneThatStaysInMemory) {
     other_changes.Change(in_memory);
     const auto before = map.Publish(2 + n);
     const auto expected = in_memory.Publish(2 + n);
-    const auto left = map.LetGoOfPages(n % 3 != 0, &spill_);
+    const auto left = map.EvictPages(n % 3 != 0, &spill_);
     ASSERT_EQ(left->submaps().size(), expected->submaps().size());
     for (std::size_t s = 0; s < left->submaps().size(); ++s) {
       const BlockTable &a = expected->submaps()[s]->blocks(), &b = left->submaps()[s]->blocks();
@@ -132,21 +132,21 @@ TEST_F(SpillFileTest, WhatWasWrittenLatelyStaysAtFirst) {
   map.Publish(2);
   map.FindMutable(SubmapId(1))->MutableTsdf({100, 0, 0}).weight[0] = 1;
   map.Publish(3);
-  const auto left = map.LetGoOfPages(false, &spill_);
+  const auto left = map.EvictPages(false, &spill_);
   const TileEntry* late = left->Find(SubmapId(1))->blocks().FindTile(TileOf({100, 0, 0}));
   EXPECT_TRUE(late->tile->IsRead());
   EXPECT_FALSE(left->Find(SubmapId(2))->blocks().tiles().front().tile->IsRead());
-  EXPECT_TRUE(IsOnDisk(*map.LetGoOfPages(true, &spill_)));
+  EXPECT_TRUE(IsOnDisk(*map.EvictPages(true, &spill_)));
 }
 
 TEST_F(SpillFileTest, WhatClonesShareIsThereOnceAndStaysShared) {
   Map map = MadeMap();
-  map.LetGoOfPages(true, &spill_);
+  map.EvictPages(true, &spill_);
   const std::int64_t num_bytes = file_->size_bytes();
   map.FindMutable(SubmapId(1))->MutableTsdf({0, 0, 0}).weight[0] = 5;
   const SubmapId copy = map.Clone(SubmapId(1))->id();
   map.Publish(2);
-  const auto left = map.LetGoOfPages(true, &spill_);
+  const auto left = map.EvictPages(true, &spill_);
   const auto tiles = left->Find(SubmapId(1))->blocks().tiles();
   ASSERT_FALSE(tiles.empty());
   for (const TileEntry& entry : tiles) {
@@ -160,7 +160,7 @@ TEST_F(SpillFileTest, RoomThatWasGivenBackIsUsedAgain) {
   std::int64_t most = 0;
   {
     Map map = MadeMap();
-    map.LetGoOfPages(true, &spill_);
+    map.EvictPages(true, &spill_);
     most = file_->size_bytes();
     EXPECT_GT(most, 0);
     for (int n = 0; n < 50; ++n) {
@@ -169,7 +169,7 @@ TEST_F(SpillFileTest, RoomThatWasGivenBackIsUsedAgain) {
         block.weight[0] += 1;
       }
       map.Publish(2 + n);
-      map.LetGoOfPages(true, &spill_);
+      map.EvictPages(true, &spill_);
     }
     EXPECT_LE(file_->size_bytes(), 3 * most) << "those of before are given back";
   }
@@ -220,7 +220,7 @@ TEST_F(SpillFileTest, WhereThereIsNoRoomItStaysInMemory) {
   Map map = MadeMap();
   FullSpill full;
   const auto before = map.published();
-  EXPECT_EQ(map.LetGoOfPages(true, &full), before);
+  EXPECT_EQ(map.EvictPages(true, &full), before);
   EXPECT_EQ(full.num_asked, static_cast<int>(before->submaps().size() - 1)) << "once a submap, but the empty one";
 }
 

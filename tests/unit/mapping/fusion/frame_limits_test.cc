@@ -165,8 +165,7 @@ TEST(FrameLimitsOfParts, NothingThatIsCutShortIsFusedAsIfItWereWhole) {
   Map map(info);
   const std::vector<SegmentBundles> segments = CutShortSegments(1);
   const RayOrigin origin(Eigen::Vector3d::Zero(), kLimitVoxel_m);
-  EXPECT_THROW(IntegrateSegment(segments[1], origin, LabelHistograms::OfClass(ClassId(1)), LimitConfig(),
-                                *map.FindMutable(kUnknownSubmap)),
+  EXPECT_THROW(IntegrateSegment(segments[1], origin, ClassId(1), LimitConfig(), *map.FindMutable(kUnknownSubmap)),
                std::bad_alloc);
 }
 

@@ -54,7 +54,7 @@ void Fuse(const PanopticFrame& frame, const MapConfig& config, Submap& submap) {
   Bundler bundler(config.integration, pool);
   const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
   for (const SegmentBundles& segment : bundler.BundleFrame(frame, frame.T_map_sensor, config.voxel_size_m)) {
-    IntegrateSegment(segment, origin, LabelHistograms::OfClass(kClass), config.integration, submap);
+    IntegrateSegment(segment, origin, kClass, config.integration, submap);
   }
 }
 
@@ -165,8 +165,7 @@ TEST(Integrator, EveryUpdateInTheBandAlongTheRayCountsOnceForClassAndInstance) {
   const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
   const auto& segments = bundler.BundleFrame(frame, frame.T_map_sensor, config.voxel_size_m);
   ASSERT_EQ(segments.size(), 1u);
-  const std::int64_t num_updates =
-      IntegrateSegment(segments[0], origin, LabelHistograms::OfClass(kClass), config.integration, submap);
+  const std::int64_t num_updates = IntegrateSegment(segments[0], origin, kClass, config.integration, submap);
   std::uint64_t class_counts = 0, instance_counts = 0;
   for (const BlockEntry& entry : submap.blocks().entries()) {
     for (int i = 0; i < kBlockVoxels; ++i) {
@@ -236,7 +235,7 @@ TEST(Integrator, CarvingClearsAnObjectThatIsGoneAndLeavesTheWall) {
   const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
   for (int i = 0; i < 3; ++i) {
     const auto& segments = bundler.BundleFrame(frame, frame.T_map_sensor, config.voxel_size_m);
-    IntegrateSegment(segments[0], origin, LabelHistograms::OfClass(kClass), config.integration, submap);
+    IntegrateSegment(segments[0], origin, kClass, config.integration, submap);
     CarveFreeSpace(segments, origin, config.integration, submap);
   }
   ASSERT_GT(sphere_before, 200);

@@ -103,8 +103,7 @@ Submap Fuse(const std::vector<SegmentBundles>& segments, const PanopticFrame& fr
   info.truncation_m = truncation_m;
   Submap submap(info, 1);
   const RayOrigin origin(frame.T_map_sensor.translation(), voxel_size_m);
-  for (const SegmentBundles& segment : segments)
-    IntegrateSegment(segment, origin, LabelHistograms::OfClass(kSeenClass), FarReaching(), submap);
+  for (const SegmentBundles& segment : segments) IntegrateSegment(segment, origin, kSeenClass, FarReaching(), submap);
   return submap;
 }
 

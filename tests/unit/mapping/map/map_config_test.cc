@@ -91,7 +91,7 @@ TEST(MapConfig, KeysAreUnique) {
   std::vector<std::string> keys = Keys();
   std::sort(keys.begin(), keys.end());
   EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end());
-  EXPECT_EQ(keys.size(), 35u);
+  EXPECT_EQ(keys.size(), 34u);
 }
 
 TEST(MapConfig, TextRoundTripIsExactForEveryField) {
@@ -133,6 +133,24 @@ TEST(SetField, RefusesUnknownKeysAndTextThatDoesNotParse) {
     EXPECT_EQ(Fields(status), std::vector<std::string>{key});
   }
   EXPECT_EQ(ConfigToText(config), ConfigToText(MapConfig())) << "a refused value must change nothing";
+}
+
+TEST(SetField, IgnoresARetiredKeyAtItsDefaultAndRefusesItOtherwise) {
+  MapConfig config;
+  ASSERT_FALSE(RetiredFields().empty());
+  for (const RetiredField& field : RetiredFields()) {
+    const std::string key(field.key);
+    EXPECT_TRUE(IsRetiredField(key));
+    const std::vector<std::string> keys = Keys();
+    EXPECT_EQ(std::count(keys.begin(), keys.end(), key), 0) << key << " is in use";
+    EXPECT_TRUE(SetField(config, key, field.default_text).ok()) << key;
+    const Status other = SetField(config, key, "7");
+    EXPECT_EQ(other.code(), StatusCode::kInvalidArgument) << key;
+    EXPECT_EQ(Fields(other), std::vector<std::string>{key});
+    EXPECT_NE(other.message().find("retired"), std::string::npos) << other.ToString();
+  }
+  EXPECT_FALSE(IsRetiredField("voxel_size_m"));
+  EXPECT_EQ(ConfigToText(config), ConfigToText(MapConfig()));
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST_F(TilePages, PartsKeepTheirNamesWhenTheyAreReadAgain) {
       EXPECT_TRUE(marks.Has(SubmapId(1), entry));
       ++num_blocks;
     }
-    map.LetGoOfPages(true);
+    map.EvictPages(true);
   }
   EXPECT_EQ(num_blocks, 18u);
   EXPECT_EQ(source_->num_reads, 6);
@@ -156,7 +156,7 @@ TEST_F(TilePages, PartsKeepTheirNamesWhenTheyAreReadAgain) {
   EXPECT_TRUE(DiffSnapshots(marks, *map.published()).empty());
 
   map.FindMutable(SubmapId(1))->MutableTsdf(BlockIn(kTile, 1)).weight[1] = 1;
-  map.LetGoOfPages(true);
+  map.EvictPages(true);
   const auto changes = DiffSnapshots(marks, *map.Publish(2));
   ASSERT_EQ(changes.size(), 1u);
   ASSERT_EQ(changes[0].written_tsdf.size(), 1u) << "the others of the tile are what they were";
@@ -197,7 +197,7 @@ TEST_F(TilePages, WhatTheirVoxelsHaveSeenIsCountedOnceThoughTheyGo) {
   EXPECT_EQ(source_->num_reads, 1);
   const auto in_memory = std::make_shared<const BlockTile>(*tile);
   EXPECT_EQ(source_->num_reads, 2) << "to be written to";
-  const auto again = tile->LeftTo(tile->loader()->LetGo());
+  const auto again = tile->LeftTo(tile->loader()->Evicted());
   EXPECT_TRUE(has_seen_one(*again));
   EXPECT_TRUE(has_seen_one(*in_memory));
   const auto left = LeftAt(*in_memory, source_);
@@ -241,10 +241,10 @@ TEST_F(TilePages, NobodysUnpublishedWorkIsLetGo) {
   Map map = MapOfTiles();
   const auto state = map.published();
   map.FindMutable(SubmapId(1))->MutableTsdf(BlockIn({5, 5, 5}, 0)).weight[9] = 2;
-  EXPECT_EQ(map.LetGoOfPages(true), state);
+  EXPECT_EQ(map.EvictPages(true), state);
   EXPECT_EQ(map.Find(SubmapId(1))->blocks().Find(BlockIn({5, 5, 5}, 0))->tsdf->weight[9], 2);
   map.Publish(2);
-  map.LetGoOfPages(true);
+  map.EvictPages(true);
   EXPECT_EQ(map.Find(SubmapId(1))->blocks().Find(BlockIn({5, 5, 5}, 0))->tsdf->weight[9], 2);
 }
 
@@ -258,7 +258,7 @@ TEST_F(TilePages, WhatIsStoredAnewStaysInMemory) {
   EXPECT_TRUE(tile.CanBeUnread());
   tile.stored(BlockLayer::kTsdf).Set(1, 9);  // where it was read from there may be nothing any more
   const auto state = map.published();
-  EXPECT_EQ(map.LetGoOfPages(true), state);
+  EXPECT_EQ(map.EvictPages(true), state);
   EXPECT_TRUE(tile.IsRead());
 }
 

@@ -59,13 +59,6 @@ void MapFrames(int begin, int end, MapBuilder& builder) {
   for (int i = begin; i < end; ++i) ASSERT_TRUE(builder.Integrate(CrateFrame(i)).ok());
 }
 
-/// Refined at the end alone.
-MapInfo InfoOfWeighed(bool weigh_scores) {
-  MapInfo info = CrateInfo(0);
-  info.config.tracking.weigh_scores = weigh_scores;
-  return info;
-}
-
 /// The robot looks away: the crate settles, and nobody writes to the floor below it.
 void LookAway(int num_frames, MapBuilder& builder) {
   for (int i = 0; i < num_frames; ++i) ASSERT_TRUE(builder.Integrate(CrateFrame(i, {-2.1, 0, 0.3})).ok());
@@ -265,121 +258,6 @@ TEST(Refinement, SwitchedOffLeavesOverlaps) {
   MapFrames(0, 6, builder);
   builder.Finish();
   EXPECT_GT(NumPositionsHeldTwice(*builder.map().Freeze()), 0);
-}
-
-/// Three times as many frames call the crate a chair, and are hardly sure.
-PanopticFrame FrameOfDoubt(int i) {
-  PanopticFrame frame = CrateFrame(i - i % 3 + 1);  // without strips
-  frame.stamp_ns = i;
-  const bool is_wrong = i % 4 != 0;
-  if (is_wrong) frame.segments[0].class_id = ClassId(2);
-  frame.segments[0].score = is_wrong ? 0.2f : 0.95f;
-  return frame;
-}
-
-TEST(WeighedScores, DecideWhatAThingIs) {
-  for (const bool weigh : {false, true}) {
-    MapBuilder builder(InfoOfWeighed(weigh), 1);
-    for (int i = 0; i < 12; ++i) ASSERT_TRUE(builder.Integrate(FrameOfDoubt(i)).ok());
-    builder.Finish();
-    ASSERT_EQ(builder.map().submaps().size(), 3u) << "the unknown one, crate and floor";
-    const SubmapInfo& crate = builder.map().submaps()[1]->info();
-    EXPECT_EQ(crate.class_id, weigh ? kCrateClass : ClassId(2));
-    EXPECT_GT(crate.ClassConfidence(), 0.5f);
-  }
-}
-
-/// All counts of a voxel so many times.
-LabelHistograms Times(LabelHistograms histograms, std::uint32_t factor) {
-  for (LabelCount& entry : histograms.classes) entry.count *= factor;
-  for (InstanceCount& entry : histograms.instances) entry.count *= factor;
-  return histograms;
-}
-
-TEST(WeighedScores, OfOneMakeTheMapThatIsNotWeighedInUnitsOf256) {
-  MapBuilder weighed(InfoOfWeighed(true), 1), plain(InfoOfWeighed(false), 1);
-  for (int i = 0; i < 15; ++i) {
-    PanopticFrame frame = CrateFrame(i);
-    for (SegmentInfo& segment : frame.segments) segment.score = 1;
-    ASSERT_TRUE(weighed.Integrate(frame).ok());
-    ASSERT_TRUE(plain.Integrate(frame).ok());
-  }
-  weighed.Finish();
-  plain.Finish();
-  ASSERT_EQ(weighed.map().submaps().size(), plain.map().submaps().size());
-  std::size_t num_compared = 0, num_foreign = 0;
-  for (const auto& submap : plain.map().submaps()) {
-    const Submap* other = weighed.map().Find(submap->id());
-    ASSERT_NE(other, nullptr);
-    ASSERT_EQ(other->blocks().size(), submap->blocks().size());
-    for (const BlockEntry& entry : submap->blocks().entries()) {
-      const BlockEntry* there = other->blocks().Find(entry.index);
-      ASSERT_NE(there, nullptr);
-      ASSERT_EQ(there->labels == nullptr, entry.labels == nullptr);
-      for (int i = 0; entry.labels != nullptr && i < kBlockVoxels; ++i) {
-        ASSERT_EQ(there->labels->Get(i), Times(entry.labels->Get(i), 256));
-        ASSERT_EQ(there->labels->IsConcluded(i), entry.labels->IsConcluded(i));
-        num_compared += !entry.labels->IsEmpty(i);
-        num_foreign += entry.labels->Get(i).instances.size() > 1;
-      }
-    }
-  }
-  EXPECT_GT(num_compared, 5000u);
-  EXPECT_GT(num_foreign, 50u) << "management and CRF had something to decide";
-}
-
-/// Floor and mat, which are both background; the mat is where the crate stands in other tests.
-PanopticFrame FrameOfMat(int i) {
-  PanopticFrame frame = CrateFrame(i - i % 3 + 1);
-  frame.stamp_ns = i;
-  frame.segments[0].class_id = ClassId(4);
-  return frame;
-}
-
-std::int64_t NumVoxelsSeen(const Submap* submap) {
-  std::int64_t num_seen = 0;
-  if (submap == nullptr) return num_seen;
-  for (const BlockEntry& entry : submap->blocks().entries()) {
-    for (int i = 0; entry.labels != nullptr && i < kBlockVoxels; ++i) num_seen += !entry.labels->IsEmpty(i);
-  }
-  return num_seen;
-}
-
-TEST(WeighedScores, WhatIsRatherAnotherBackgroundBecomesPartOfIt) {
-  MapInfo info = InfoOfWeighed(true);
-  info.label_set = testing::MakeLabelSet(2, 2);
-  info.config.refinement.crf = false;
-  MapBuilder builder(std::move(info), 1);
-  for (int i = 1; i < 12; ++i) {
-    PanopticFrame frame = FrameOfMat(i);
-    if (i > 1) frame.segments[0].class_scores = {{ClassId(4), 0.3f}, {kFloorClass, 0.7f}};  // once seen, then doubted
-    ASSERT_TRUE(builder.Integrate(frame).ok());
-  }
-  const SubmapId mat = builder.map().submaps()[1]->id(), floor = builder.map().submaps()[2]->id();
-  ASSERT_EQ(builder.map().Find(mat)->info().class_id, ClassId(4));
-  const std::int64_t num_of_mat = NumVoxelsSeen(builder.map().Find(mat));
-  const std::int64_t num_of_floor = NumVoxelsSeen(builder.map().Find(floor));
-  ASSERT_GT(num_of_mat, 1000);
-  builder.Finish();
-  EXPECT_LT(NumVoxelsSeen(builder.map().Find(mat)), num_of_mat / 10);
-  EXPECT_GT(NumVoxelsSeen(builder.map().Find(floor)), num_of_floor + num_of_mat / 2) << "and there they are";
-}
-
-TEST(WeighedScores, GiveTheSameBitsForAnyNumberOfThreads) {
-  const auto map_with = [](int num_threads) {
-    MapInfo info = InfoOfWeighed(true);
-    info.label_set = testing::MakeLabelSet(2, 2);
-    auto builder = std::make_unique<MapBuilder>(std::move(info), num_threads);
-    for (int i = 0; i < 9; ++i) {
-      PanopticFrame frame = i % 2 == 0 ? CrateFrame(i) : FrameOfMat(i);
-      frame.segments[0].class_scores = {{kCrateClass, 0.5f}, {ClassId(2), 0.2f}, {ClassId(4), 0.25f}};
-      frame.segments[1].class_scores = {{kFloorClass, 0.7f}, {ClassId(4), 0.05f * static_cast<float>(i % 4)}};
-      EXPECT_TRUE(builder->Integrate(frame).ok());
-    }
-    builder->Finish();
-    return builder->map().Publish(1);
-  };
-  EXPECT_TRUE(MapsAreEqual(*map_with(1), *map_with(3)));
 }
 
 }  // namespace

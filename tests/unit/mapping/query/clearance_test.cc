@@ -230,7 +230,7 @@ TEST(TrajectoryClearance, OfARobotThatTurnsIsNoLargerAndSmallerByTwoMillimetresA
     const Eigen::Quaterniond a(from.linear()), b(to.linear());
     for (int i = 0; i <= kSteps; ++i) {
       const double share = i * 1.0 / kSteps;
-      for (const CarriedBody::Ball& ball : motion.robot) {
+      for (const AttachedShape::Ball& ball : motion.robot) {
         const Eigen::Vector3d p =
             from.translation() + share * (to.translation() - from.translation()) + a.slerp(share, b) * ball.center_m;
         least_m = std::min(least_m, all.Distance(p) - ball.radius_m);

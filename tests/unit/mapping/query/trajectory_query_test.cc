@@ -265,17 +265,17 @@ TEST(TrajectoryQuery, WhatIsCarriedLeavesTheWorldAndMeetsWhatIsInItsWay) {
       << "it stands there";
 }
 
-TEST(CarriedBodyOf, HoldsTheSurfaceAndSticksOutByHalfAVoxelsDiagonalAtMost) {
+TEST(AttachedShapeOf, HoldsTheSurfaceAndSticksOutByHalfAVoxelsDiagonalAtMost) {
   Map map = testing::FurnishedRoom();
   map.FindMutable(SubmapId(2))->mutable_info().T_map_submap = At(3, 1, 0, 1);
   const auto surfaces = SurfacesOf(map);
   for (const std::size_t number : {1u, 2u}) {
     const Submap& submap = surfaces->index().entries()[number].submap();
-    const CarriedBody body = CarriedBodyOf(surfaces->state(), submap, surfaces->surface(number), 100'000);
+    const AttachedShape body = AttachedShapeOf(surfaces->state(), submap, surfaces->surface(number), 100'000);
     const Transform T_submap_map = submap.info().T_map_submap.inverse();
-    std::vector<CarriedBody::Ball> balls;
-    for (const CarriedBody::Group& group : body.groups) {
-      for (const CarriedBody::Ball& ball : group.balls) {
+    std::vector<AttachedShape::Ball> balls;
+    for (const AttachedShape::Group& group : body.groups) {
+      for (const AttachedShape::Ball& ball : group.balls) {
         balls.push_back(ball);
         EXPECT_LE(ball.radius_m, 0.5 * std::sqrt(3) * kSceneVoxel_m + 1e-6);
         EXPECT_LE((ball.center_m - group.around.center_m).norm() + ball.radius_m, group.around.radius_m + 1e-9);
@@ -285,7 +285,7 @@ TEST(CarriedBodyOf, HoldsTheSurfaceAndSticksOutByHalfAVoxelsDiagonalAtMost) {
     EXPECT_EQ(balls.size(), body.num_balls);
     for (const auto& t : testing::TrianglesInMap(submap)) {
       const Eigen::Vector3d p = T_submap_map * ((t[0] + t[1] + t[2]) / 3);
-      EXPECT_TRUE(std::any_of(balls.begin(), balls.end(), [&](const CarriedBody::Ball& ball) {
+      EXPECT_TRUE(std::any_of(balls.begin(), balls.end(), [&](const AttachedShape::Ball& ball) {
         return (p - ball.center_m).norm() <= ball.radius_m + 1e-6;
       }));
     }
@@ -298,7 +298,7 @@ TEST(WholeBodyOf, IsAllOfWhatARobotCarriesThoughItsPlaceWasLookedThrough) {
   // What is taken from its place is contradicted there, and soon absent; in the gripper it is as large as ever.
   Map map = testing::FurnishedRoom();
   const auto before = SurfacesOf(map);
-  const CarriedBody whole = WholeBodyOf(*before, SubmapId(2), 100'000);
+  const AttachedShape whole = WholeBodyOf(*before, SubmapId(2), 100'000);
   ASSERT_GT(whole.num_balls, 100u);
   Submap& carried = *map.FindMutable(SubmapId(2));
   std::vector<BlockIndex> blocks;
@@ -306,7 +306,7 @@ TEST(WholeBodyOf, IsAllOfWhatARobotCarriesThoughItsPlaceWasLookedThrough) {
   for (const BlockIndex block : blocks) {
     for (int i = 0; i < kBlockVoxels; ++i) carried.MutableGone(block).Set(i, GoneBlock::kContradicted);
   }
-  const auto expect_whole = [&](const CarriedBody& body) {
+  const auto expect_whole = [&](const AttachedShape& body) {
     EXPECT_EQ(body.num_balls, whole.num_balls);
     EXPECT_EQ(body.groups.size(), whole.groups.size());
     EXPECT_EQ(body.reach_m, whole.reach_m);

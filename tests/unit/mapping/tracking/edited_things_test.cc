@@ -8,7 +8,6 @@
 #include "mapping/fusion/bundler.h"
 #include "mapping/fusion/integrator.h"
 #include "mapping/map/map_grid.h"
-#include "mapping/tracking/segment_votes.h"
 #include "mapping/tracking/tracker.h"
 #include "mapping/tracking/visibility.h"
 #include "tests/support/map_infos.h"
@@ -61,7 +60,6 @@ class EditedThings : public ::testing::TestWithParam<bool> {
     Tracker tracker(config, pool_);
     tracker.CutAtSplits(frame, map_, segments);
     const std::vector<Assignment> assignments = tracker.Assign(frame, segments, map_);
-    FrameVotes votes(frame, map_);
     const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
     std::vector<std::vector<SubmapId>> by_row(frame.segments.size());
     num_segments_ = segments.size();
@@ -74,7 +72,7 @@ class EditedThings : public ::testing::TestWithParam<bool> {
       if (std::find(of_row.begin(), of_row.end(), id) == of_row.end()) of_row.push_back(id);
       num_new_ += assignments[s].is_new;
       Submap& submap = *map_.FindMutable(id);
-      IntegrateSegment(segments[s], origin, votes.Of(frame.segments[row], submap), config.integration, submap);
+      IntegrateSegment(segments[s], origin, frame.segments[row].class_id, config.integration, submap);
       submap.UpdateBoundingSphere();
     }
     for (std::vector<SubmapId>& of_row : by_row) std::sort(of_row.begin(), of_row.end());

@@ -12,7 +12,6 @@
 #include "mapping/fusion/integrator.h"
 #include "mapping/fusion/segment_parts.h"
 #include "mapping/tracking/activity.h"
-#include "mapping/tracking/segment_votes.h"
 #include "mapping/tracking/visibility.h"
 #include "tests/support/map_infos.h"
 #include "tests/support/scenes.h"
@@ -60,7 +59,6 @@ class TrackerTest : public ::testing::Test {
     const auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, config.voxel_size_m);
     Tracker tracker(config, pool_);
     const std::vector<Assignment> assignments = tracker.Assign(frame, segments, map_);
-    FrameVotes votes(frame, map_);
     const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
     std::vector<Assignment> by_row(frame.segments.size());
     for (std::size_t s = 0; s < segments.size(); ++s) {
@@ -68,7 +66,7 @@ class TrackerTest : public ::testing::Test {
       const auto row = static_cast<std::size_t>(segments[s].row);
       by_row[row] = assignments[s];
       Submap& submap = *map_.FindMutable(assignments[s].submap);
-      IntegrateSegment(segments[s], origin, votes.Of(frame.segments[row], submap), config.integration, submap);
+      IntegrateSegment(segments[s], origin, frame.segments[row].class_id, config.integration, submap);
       submap.UpdateBoundingSphere();
       submap.mutable_info().num_frames_observed += 1;
     }

@@ -134,7 +134,7 @@ TEST(LabelBlock, OfOneClassAgreesWithANaiveOneUntilAnotherComes) {
       const LabelHistograms h = LabelHistograms::OfClass(ClassId(c), count);
       NaiveVoxel& expected = naive[linear];
       const bool is_first = expected.classes.empty();
-      switch (random() % 6) {
+      switch (random() % 5) {
         case 0:
           block.Set(linear, h);
           expected = {};
@@ -152,10 +152,6 @@ TEST(LabelBlock, OfOneClassAgreesWithANaiveOneUntilAnotherComes) {
         case 3:
           block.Clear(linear);
           expected = {};
-          break;
-        case 4:
-          block.AddVotes(linear, h);
-          expected.Add(h);
           break;
         default: block.AddObservation(linear, ClassId(c), count); expected.Add(h);
       }
@@ -261,23 +257,6 @@ TEST(LabelBlock, OneClassCountsInlineUpTo32BitsAndEndsThere) {
   block.Set(5, LabelHistograms::OfClass(ClassId(7), 0xFFFFFFF0));
   for (int i = 0; i < 3; ++i) block.AddObservation(5, ClassId(7), 256);
   EXPECT_EQ(block.Get(5), LabelHistograms::OfClass(ClassId(7), 0xFFFFFFFF));
-}
-
-TEST(LabelBlock, VotesForSeveralClassesAndInstancesAddUp) {
-  const LabelHistograms own{{{3, 100}, {5, 40}}, {{kOwnInstance, 140}}};
-  const LabelHistograms shared{{{3, 100}, {5, 40}, {8, 9}}, {{kOwnInstance, 109}, {SeenInstance(SubmapId(6)), 40}}};
-  LabelBlock block;
-  NaiveVoxel naive;
-  for (int i = 0; i < 900; ++i) {
-    const LabelHistograms& votes = i % 3 == 2 && i > 600 ? shared : own;
-    block.AddVotes(0, votes);
-    naive.Add(votes);
-    if (i == 600) {
-      EXPECT_EQ(block.NumOverflowVoxels(), 0u) << "two classes are inline";
-    }
-    if (i % 100 == 0) ExpectSame(block, 0, naive);
-  }
-  ExpectSame(block, 0, naive);
 }
 
 TEST(LabelBlock, SecondClassCountsOnBeyond65535Too) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/session/commit_worker.h"
+#include "server/app/open_map/commit_worker.h"
 
 #include <gtest/gtest.h>
 
@@ -154,7 +154,7 @@ TEST_F(CommitWorkerTest, AfterAnUnseenStateWasRefusedTheStoreIsTriedWithWhatItHa
 TEST_F(CommitWorkerTest, WithTheSameStateAgainTheStoreIsStillTried) {
   worker.emplace(store, first, /*retry_s=*/0.01, CommitWorker::Observer());
   const auto same = std::make_shared<const MapSnapshot>(*first);
-  worker->LetGoOfPages(same);
+  worker->EvictPages(same);
   auto unseen = Change();
   first = nullptr;
   store.next_outcome = ResourceExhausted("full");
@@ -170,7 +170,7 @@ TEST_F(CommitWorkerTest, AStateThatWaitsIsNotKeptOnceItIsThereAgainWithoutVoxels
   EXPECT_FALSE(Request(waiting, Durability::kNormal).get().ok());
   const auto same = std::make_shared<const MapSnapshot>(*waiting);
   const std::weak_ptr<const MapSnapshot> state = waiting;
-  worker->LetGoOfPages(same);
+  worker->EvictPages(same);
   waiting = nullptr;
   const auto next = Change();
   EXPECT_TRUE(testing::Eventually([&] { return state.expired(); }));

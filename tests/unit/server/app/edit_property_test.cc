@@ -315,21 +315,21 @@ class EditProperty : public ::testing::TestWithParam<Sequence> {
   /// Whether refinement may have voxels afterwards that it has left alone so far, or of which it knew no more that they
   /// are there. All other edits only take away from it, or divide what it has.
   static bool MayShareMore(const Edit& edit) {
-    if (const auto* patch = std::get_if<PatchEdit>(&edit.action)) return patch->patch.is_locked == false;
-    if (const auto* presence = std::get_if<PresenceEdit>(&edit.action)) return presence->presence == Presence::kPresent;
-    return std::holds_alternative<MergeEdit>(edit.action);
+    if (const auto* patch = ActionIf<PatchEdit>(edit)) return patch->patch.is_locked == false;
+    if (const auto* presence = ActionIf<PresenceEdit>(edit)) return presence->presence == Presence::kPresent;
+    return ActionIf<MergeEdit>(edit) != nullptr;
   }
 
   /// What the edit promises of the number of voxels and observations.
   void ExpectCounts(const Edit& edit, const EditResult& result, const MapSnapshot& before, const MapSnapshot& after) {
     VoxelTotals expected = TotalsOf(before);
     const VoxelTotals found = TotalsOf(after);
-    if (std::holds_alternative<MergeEdit>(edit.action)) {
+    if (ActionIf<MergeEdit>(edit) != nullptr) {
       EXPECT_EQ(found.num_observations, expected.num_observations);
       EXPECT_LE(found.num_known, expected.num_known);
       return;
     }
-    if (std::holds_alternative<ClearEdit>(edit.action)) {
+    if (ActionIf<ClearEdit>(edit) != nullptr) {
       EXPECT_EQ(found.num_known + result.num_voxels, expected.num_known);
       EXPECT_LE(found.num_observations, expected.num_observations);
       return;
@@ -338,7 +338,7 @@ class EditProperty : public ::testing::TestWithParam<Sequence> {
       expected.num_known -= TotalsOf(*before.Find(id)).num_known;
       expected.num_observations -= TotalsOf(*before.Find(id)).num_observations;
     }
-    if (std::holds_alternative<CloneEdit>(edit.action)) {
+    if (ActionIf<CloneEdit>(edit) != nullptr) {
       const VoxelTotals original = TotalsOf(*before.Find(std::get<SubmapId>(*edit.target)));
       EXPECT_EQ(TotalsOf(*after.Find(result.created.at(0))), original);
       expected.num_known += original.num_known;

@@ -20,7 +20,7 @@
 #include "server/app/maps/map_registry.h"
 #include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
-#include "tests/unit/server/app/map_session_fixture.h"
+#include "tests/unit/server/app/open_map_fixture.h"
 
 // A small room that is mapped, refined and edited by a real session, on a store that outlives it.
 
@@ -112,7 +112,7 @@ class EditedRoom {
     Open();
     if (session_ == nullptr && registry_ != nullptr) {
       EXPECT_TRUE(registry_->Create(EditedRoomInfo()).ok());
-      session_ = *registry_->OpenSession("room");
+      session_ = *registry_->GetOpen("room");
     }
   }
 
@@ -190,7 +190,7 @@ class EditedRoom {
       store_ = std::move(opened).value();
     }
     constexpr int kNever = 1'000'000'000;
-    SessionOptions options;
+    OpenMapOptions options;
     options.mapping.num_threads = 1;
     options.publish.frames = 1;
     options.publish.delay_s = 0.01;  // so long a frame may wait for surfaces
@@ -203,7 +203,7 @@ class EditedRoom {
     ASSERT_TRUE(registry.ok()) << registry.status().ToString();
     registry_ = std::move(registry).value();
     if (!store_->GetMap("room").ok()) return;
-    auto session = registry_->OpenSession("room");
+    auto session = registry_->GetOpen("room");
     ASSERT_TRUE(session.ok()) << session.status().ToString();
     session_ = *session;
   }
@@ -215,7 +215,7 @@ class EditedRoom {
   std::atomic<std::int64_t> now_ns_ = 0;  // outlives the sessions, which ask for it
   std::unique_ptr<MapStore> store_;
   std::unique_ptr<MapRegistry> registry_;
-  std::shared_ptr<MapSession> session_;
+  std::shared_ptr<OpenMap> session_;
 };
 
 }  // namespace dhpmap::testing

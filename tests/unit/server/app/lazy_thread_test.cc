@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/session/lazy_thread.h"
+#include "server/app/open_map/lazy_thread.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 #include "tests/support/thread_ids.h"
-#include "tests/unit/server/app/map_session_fixture.h"
+#include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
 namespace {
@@ -66,7 +66,7 @@ class MoodyStore final : public MapStore {
 class MapRegistryTest : public ::testing::Test {
  protected:
   std::unique_ptr<MapRegistry> Open() {
-    SessionOptions options{.mapping = {.num_threads = 1},
+    OpenMapOptions options{.mapping = {.num_threads = 1},
                            .now_ns = [] { return std::int64_t{1'600'000'000'000'000'000}; }};
     return std::move(MapRegistry::Open(store_, std::move(options))).value();
   }
@@ -117,14 +117,14 @@ TEST_F(MapRegistryTest, RevisionsThatACrashHasLostAreThoseOfTheMapAndNotOfTheNex
 
 TEST_F(MapRegistryTest, MapsThatAreNotThereAreNotFound) {
   EXPECT_EQ(registry_->Get("room").status().code(), StatusCode::kNotFound);
-  EXPECT_EQ(registry_->OpenSession("room").status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(registry_->GetOpen("room").status().code(), StatusCode::kNotFound);
   EXPECT_EQ(registry_->DiskBytes("room").status().code(), StatusCode::kNotFound);
   EXPECT_EQ(registry_->Delete("room").status().code(), StatusCode::kNotFound);
   EXPECT_EQ(store_.num_loads, 0);
 }
 
 /// An edit that makes a thing: takes a writer, and a commit.
-void EditOnce(MapSession& session) {
+void EditOnce(OpenMap& session) {
   std::promise<Status> done;
   session.Edit([](Map& map) -> Result<SubmapId> { return map.Create({.panoptic = Panoptic::kThing}).id(); },
                [&done](const Result<EditOutcome>& outcome) { done.set_value(outcome.status()); });
@@ -132,7 +132,7 @@ void EditOnce(MapSession& session) {
 }
 
 TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileNobodyWrites) {
-  SessionOptions options{.mapping = {.num_threads = 5}, .now_ns = [] { return std::int64_t{1}; }};
+  OpenMapOptions options{.mapping = {.num_threads = 5}, .now_ns = [] { return std::int64_t{1}; }};
   const auto registry = std::move(MapRegistry::Open(store_, std::move(options))).value();
   constexpr std::size_t kMaps = 12, kThreadsAMap = 2;  // its writer, and what commits
   std::thread([] {}).join();                           // with the first of all, a sanitizer starts a thread of its own
@@ -142,10 +142,10 @@ TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileNobodyWri
     ASSERT_TRUE(registry->Create(InfoOf(name)).ok());
     ASSERT_TRUE(registry->ViewOf(name).ok());
   }
-  EXPECT_EQ(registry->OpenSessions().size(), kMaps);
+  EXPECT_EQ(registry->OpenMaps().size(), kMaps);
   EXPECT_EQ(testing::NumThreadsSince(before), 0u);
   for (int round = 0; round < 2; ++round) {  // whoever has retired comes back
-    for (const auto& session : registry->OpenSessions()) EditOnce(*session);
+    for (const auto& session : registry->OpenMaps()) EditOnce(*session);
     EXPECT_LE(testing::NumThreadsSince(before), kMaps * kThreadsAMap);
     EXPECT_TRUE(testing::Eventually([&] { return testing::NumThreadsSince(before) == 0; })) << "nobody writes any more";
   }
@@ -160,14 +160,14 @@ TEST_F(MapRegistryTest, ListsByNameWithoutLoading) {
     EXPECT_EQ(maps[1].info.name, "cellar");
     EXPECT_EQ(maps[2].info.name, "hall");
     EXPECT_EQ(maps[2].num_submaps, 1);
-    EXPECT_TRUE(registry->OpenSessions().empty());
+    EXPECT_TRUE(registry->OpenMaps().empty());
   }
   EXPECT_EQ(store_.num_loads, 0);
 }
 
 TEST_F(MapRegistryTest, SummariesFollowTheOpenMap) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
-  const auto session = registry_->OpenSession("room");
+  const auto session = registry_->GetOpen("room");
   ASSERT_TRUE(session.ok());
   EditOnce(**session);
   EXPECT_EQ(registry_->Get("room")->num_submaps, 2);
@@ -176,14 +176,14 @@ TEST_F(MapRegistryTest, SummariesFollowTheOpenMap) {
 
 TEST_F(MapRegistryTest, AMapThatNobodyUsesIsClosedAndOpenedAgainWithoutNotice) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
-  EditOnce(**registry_->OpenSession("room"));
+  EditOnce(**registry_->GetOpen("room"));
   const auto view = *registry_->ViewOf("room");
   const auto now = MapRegistry::Clock::now();
   registry_->CloseIdleMaps(now + std::chrono::seconds(1));
-  EXPECT_EQ(registry_->OpenSessions().size(), 1u) << "used a moment ago";
+  EXPECT_EQ(registry_->OpenMaps().size(), 1u) << "used a moment ago";
   EXPECT_TRUE(testing::Eventually([&] {  // the edit was answered before its job had ended
     registry_->CloseIdleMaps(now + std::chrono::hours(1));
-    return registry_->OpenSessions().empty();
+    return registry_->OpenMaps().empty();
   }));
   EXPECT_EQ(registry_->Get("room")->num_submaps, 2) << "its summary is of the state that was closed";
   EXPECT_EQ(view->snapshot().submaps().size(), 2u) << "who looks at it keeps what they see";
@@ -200,7 +200,7 @@ TEST_F(MapRegistryTest, WhatWasMadeForQueriesGoesWithTheMap) {
     return query.At({0, 0, 1}).distance_m;
   };
   const auto fuse = [this] {
-    const auto session = *registry_->OpenSession("room");
+    const auto session = *registry_->GetOpen("room");
     ASSERT_TRUE(Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(0), done); }).report.ok());
     ASSERT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
   };
@@ -214,12 +214,12 @@ TEST_F(MapRegistryTest, WhatWasMadeForQueriesGoesWithTheMap) {
 
 TEST_F(MapRegistryTest, AMapThatIsHeldOrFedStaysOpen) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
-  auto session = *registry_->OpenSession("room");
+  auto session = *registry_->GetOpen("room");
   registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1));
-  EXPECT_EQ(registry_->OpenSessions().size(), 1u);
+  EXPECT_EQ(registry_->OpenMaps().size(), 1u);
   session = nullptr;
   registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1));
-  EXPECT_TRUE(registry_->OpenSessions().empty());
+  EXPECT_TRUE(registry_->OpenMaps().empty());
 }
 
 TEST_F(MapRegistryTest, ClosesIdleMapsByItself) {
@@ -227,28 +227,28 @@ TEST_F(MapRegistryTest, ClosesIdleMapsByItself) {
       std::move(MapRegistry::Open(store_, {.mapping = {.num_threads = 1}}, {.idle_close_s = 0.02})).value();
   ASSERT_TRUE(registry->Create(InfoOf("room")).ok());
   ASSERT_TRUE(registry->ViewOf("room").ok());
-  EXPECT_TRUE(testing::Eventually([&] { return registry->OpenSessions().empty(); }));
+  EXPECT_TRUE(testing::Eventually([&] { return registry->OpenMaps().empty(); }));
 }
 
 TEST_F(MapRegistryTest, AMapIsLoadedOnceForAllWhoAskAtOnce) {
   ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
-  std::vector<std::future<std::shared_ptr<MapSession>>> sessions;
-  const auto open = [this] { return registry_->OpenSession("slow").value(); };
+  std::vector<std::future<std::shared_ptr<OpenMap>>> sessions;
+  const auto open = [this] { return registry_->GetOpen("slow").value(); };
   for (int i = 0; i < 4; ++i) sessions.push_back(std::async(std::launch::async, open));
   store_.is_loading_slow.get_future().wait();
   store_.may_go_on.set_value();
   const auto first = sessions[0].get();
   for (std::size_t i = 1; i < sessions.size(); ++i) EXPECT_EQ(sessions[i].get(), first);
   EXPECT_EQ(store_.num_loads, 1);
-  EXPECT_EQ(registry_->OpenSessions().size(), 1u);
+  EXPECT_EQ(registry_->OpenMaps().size(), 1u);
 }
 
 TEST_F(MapRegistryTest, LoadingOneMapKeepsNobodyWaitingForAnother) {
   ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
-  auto slow = std::async(std::launch::async, [this] { return registry_->OpenSession("slow").status(); });
+  auto slow = std::async(std::launch::async, [this] { return registry_->GetOpen("slow").status(); });
   store_.is_loading_slow.get_future().wait();
-  EXPECT_TRUE(registry_->OpenSession("room").ok());
+  EXPECT_TRUE(registry_->GetOpen("room").ok());
   EXPECT_TRUE(registry_->Get("slow").ok()) << "its summary needs no loading";
   EXPECT_EQ(registry_->List().size(), 2u);
   EXPECT_TRUE(registry_->Create(InfoOf("hall")).ok());
@@ -259,23 +259,23 @@ TEST_F(MapRegistryTest, LoadingOneMapKeepsNobodyWaitingForAnother) {
 
 TEST_F(MapRegistryTest, AMapDeletedWhileItIsLoadedIsGoneAfterwards) {
   ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
-  auto open = std::async(std::launch::async, [this] { return registry_->OpenSession("slow").status(); });
+  auto open = std::async(std::launch::async, [this] { return registry_->GetOpen("slow").status(); });
   store_.is_loading_slow.get_future().wait();
   auto deleted = std::async(std::launch::async, [this] { return registry_->Delete("slow").status(); });
   store_.may_go_on.set_value();
   EXPECT_TRUE(open.get().ok()) << "it was there when it was asked for";
   EXPECT_TRUE(deleted.get().ok());
-  EXPECT_EQ(registry_->OpenSession("slow").status().code(), StatusCode::kNotFound);
-  EXPECT_TRUE(registry_->OpenSessions().empty());
+  EXPECT_EQ(registry_->GetOpen("slow").status().code(), StatusCode::kNotFound);
+  EXPECT_TRUE(registry_->OpenMaps().empty());
 }
 
 TEST_F(MapRegistryTest, ALoadThatFailedIsTriedAgain) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   store_.refusal = Unavailable("the disk is away");
-  EXPECT_EQ(registry_->OpenSession("room").status().code(), StatusCode::kUnavailable);
+  EXPECT_EQ(registry_->GetOpen("room").status().code(), StatusCode::kUnavailable);
   EXPECT_TRUE(registry_->Get("room").ok());
   store_.refusal = Status::Ok();
-  EXPECT_TRUE(registry_->OpenSession("room").ok());
+  EXPECT_TRUE(registry_->GetOpen("room").ok());
 }
 
 TEST_F(MapRegistryTest, DeletingAnswersTheLastRevisionAndAFailureLeavesTheMap) {
@@ -283,7 +283,7 @@ TEST_F(MapRegistryTest, DeletingAnswersTheLastRevisionAndAFailureLeavesTheMap) {
     const auto made = registry_->Create(InfoOf("room"));
     ASSERT_TRUE(made.ok());
     if (is_open) {
-      ASSERT_TRUE(registry_->OpenSession("room").ok());
+      ASSERT_TRUE(registry_->GetOpen("room").ok());
     }
     store_.refusal = Unavailable("the disk is away");
     EXPECT_EQ(registry_->Delete("room").status().code(), StatusCode::kUnavailable);
@@ -300,10 +300,10 @@ TEST_F(MapRegistryTest, DeletingAnswersTheLastRevisionAndAFailureLeavesTheMap) {
 TEST_F(MapRegistryTest, ShutDownItOpensNothingMore) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   ASSERT_TRUE(registry_->Create(InfoOf("hall")).ok());
-  ASSERT_TRUE(registry_->OpenSession("room").ok());
+  ASSERT_TRUE(registry_->GetOpen("room").ok());
   EXPECT_TRUE(registry_->Shutdown().ok());
-  EXPECT_TRUE(registry_->OpenSession("room").ok()) << "what is open can still be read";
-  EXPECT_EQ(registry_->OpenSession("hall").status().code(), StatusCode::kUnavailable);
+  EXPECT_TRUE(registry_->GetOpen("room").ok()) << "what is open can still be read";
+  EXPECT_EQ(registry_->GetOpen("hall").status().code(), StatusCode::kUnavailable);
   EXPECT_TRUE(registry_->Shutdown().ok()) << "twice does no harm";
 }
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/app/states/shown_view.h"
+#include "server/app/states/visible_snapshot.h"
 
 namespace dhpmap {
 namespace {
@@ -80,7 +80,7 @@ TEST(MapView, GoesOnWithTheIndexOfTheViewBefore) {
 }
 
 /// States of a map, and what is asked to prepare them.
-class ShownViewTest : public ::testing::Test {
+class VisibleSnapshotTest : public ::testing::Test {
  protected:
   std::shared_ptr<const MapView> Next() {
     map_.Create({});
@@ -90,14 +90,14 @@ class ShownViewTest : public ::testing::Test {
   Map map_{ViewedInfo()};
   const std::shared_ptr<const MapView> first_ = Next();
   std::vector<std::function<void()>> ready_;  // of each that was handed in
-  std::shared_ptr<ShownView> shown_ =
-      std::make_shared<ShownView>(first_, [this](const ShownView::State&, std::function<void()> ready) {
+  std::shared_ptr<VisibleSnapshot> shown_ =
+      std::make_shared<VisibleSnapshot>(first_, [this](const VisibleSnapshot::State&, std::function<void()> ready) {
         ready_.push_back(std::move(ready));
         return true;
       });
 };
 
-TEST_F(ShownViewTest, AStateIsSeenOnceItIsPrepared) {
+TEST_F(VisibleSnapshotTest, AStateIsSeenOnceItIsPrepared) {
   const auto second = Next();
   shown_->ShowPrepared(second);
   EXPECT_EQ(shown_->Get(), first_);
@@ -108,7 +108,7 @@ TEST_F(ShownViewTest, AStateIsSeenOnceItIsPrepared) {
   EXPECT_FALSE(shown_->IsWaiting());
 }
 
-TEST_F(ShownViewTest, AStateThatWaitsIsSeenWhenTheNextOneComesAndNoneComesBack) {
+TEST_F(VisibleSnapshotTest, AStateThatWaitsIsSeenWhenTheNextOneComesAndNoneComesBack) {
   const auto second = Next(), third = Next(), fourth = Next();
   shown_->ShowPrepared(second);
   shown_->ShowPrepared(third);
@@ -123,14 +123,14 @@ TEST_F(ShownViewTest, AStateThatWaitsIsSeenWhenTheNextOneComesAndNoneComesBack) 
   EXPECT_FALSE(shown_->IsWaiting());
 }
 
-TEST_F(ShownViewTest, WhatNobodyPreparesIsSeenAtOnce) {
+TEST_F(VisibleSnapshotTest, WhatNobodyPreparesIsSeenAtOnce) {
   const auto second = Next(), third = Next();
-  ShownView::Prepare refuse = [](const ShownView::State&, const std::function<void()>&) { return false; };
-  ShownView::Prepare fail = [](const ShownView::State&, const std::function<void()>&) -> bool {
+  VisibleSnapshot::Prepare refuse = [](const VisibleSnapshot::State&, const std::function<void()>&) { return false; };
+  VisibleSnapshot::Prepare fail = [](const VisibleSnapshot::State&, const std::function<void()>&) -> bool {
     throw std::bad_alloc();
   };
-  for (const ShownView::Prepare& prepare : {ShownView::Prepare(), std::move(refuse), std::move(fail)}) {
-    const auto shown = std::make_shared<ShownView>(first_, prepare);
+  for (const VisibleSnapshot::Prepare& prepare : {VisibleSnapshot::Prepare(), std::move(refuse), std::move(fail)}) {
+    const auto shown = std::make_shared<VisibleSnapshot>(first_, prepare);
     shown->ShowPrepared(second);
     EXPECT_EQ(shown->Get(), second);
     shown->Show(third);
@@ -138,7 +138,7 @@ TEST_F(ShownViewTest, WhatNobodyPreparesIsSeenAtOnce) {
   }
 }
 
-TEST_F(ShownViewTest, WhatIsPreparedAfterTheEndOfTheMapIsNoHarm) {
+TEST_F(VisibleSnapshotTest, WhatIsPreparedAfterTheEndOfTheMapIsNoHarm) {
   shown_->ShowPrepared(Next());
   shown_.reset();
   ready_[0]();

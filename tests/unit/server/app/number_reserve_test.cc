@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/session/number_reserve.h"
+#include "server/app/open_map/number_reserve.h"
 
 #include <gtest/gtest.h>
 

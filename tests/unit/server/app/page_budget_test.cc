@@ -23,7 +23,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/server/app/edited_room.h"
-#include "tests/unit/server/app/map_session_fixture.h"
+#include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
 namespace {
@@ -38,7 +38,7 @@ class PageBudgetTest : public ::testing::Test {
   }
   void TearDown() override { Close(); }
 
-  [[nodiscard]] SessionOptions Options(std::int64_t page_bytes) const {
+  [[nodiscard]] OpenMapOptions Options(std::int64_t page_bytes) const {
     return {.mapping = {.num_threads = 2, .refinement_timing = RefinementTiming::kReproducible},
             .pages = {.budget_bytes = page_bytes, .spill = page_bytes > 0 ? spill_ : nullptr}};
   }
@@ -57,7 +57,7 @@ class PageBudgetTest : public ::testing::Test {
   }
   /// All of them are seen, and stored.
   void Integrate(int begin, int end) {
-    const auto session = registry_->OpenSession("room").value();
+    const auto session = registry_->GetOpen("room").value();
     for (int i = begin; i < end; ++i) {
       const auto outcome = Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(i), done); });
       EXPECT_TRUE(outcome.report.ok()) << outcome.report.status().ToString();
@@ -91,7 +91,7 @@ class PageBudgetTest : public ::testing::Test {
     try {
       for (const auto& submap : state.submaps()) {
         for (const TileEntry& tile : submap->blocks().tiles()) {
-          if (tile.tile->loader() != nullptr) (void)tile.tile->loader()->LetGo()->blocks();
+          if (tile.tile->loader() != nullptr) (void)tile.tile->loader()->Evicted()->blocks();
         }
       }
       return Status::Ok();
@@ -125,22 +125,22 @@ TEST_F(PageBudgetTest, WhatQueriesReadIsLetGoOnceItIsTooMuchAndNobodyHoldsIt) {
 TEST_F(PageBudgetTest, WhatReadersOfAnotherMapHoldTakesNoRecentPast) {
   Open(1);
   ASSERT_TRUE(registry_->Create(RoomInfo("other")).ok());
-  const auto other = registry_->OpenSession("other").value();
+  const auto other = registry_->GetOpen("other").value();
   const auto flush = [&other] { return Wait<Status>([&](auto done) { other->Flush(done); }); };
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(Wait<FrameOutcome>([&](auto done) { other->Integrate(FrameOf(i), done); }).report.ok());
     ASSERT_TRUE(flush().ok());
   }
-  const std::size_t num_kept = other->kept_states()->size();
+  const std::size_t num_kept = other->history()->size();
   ASSERT_GT(num_kept, 1u);
-  EXPECT_FALSE(other->kept_states()->HoldBlocks(false));
-  const auto held = registry_->OpenSession("room").value()->View();
+  EXPECT_FALSE(other->history()->HoldBlocks(false));
+  const auto held = registry_->GetOpen("room").value()->View();
   for (const auto& submap : held->snapshot().submaps()) ReadAllOf(*submap);
   EXPECT_GT(ResidentBytes(), 1);
   other->KeepPagesInBounds();
   ASSERT_TRUE(flush().ok());  // after that
-  EXPECT_EQ(other->kept_states()->size(), num_kept);
-  KeptStates of_room(2, std::make_shared<ByteBudget>(1));
+  EXPECT_EQ(other->history()->size(), num_kept);
+  SnapshotHistory of_room(2, std::make_shared<ByteBudget>(1));
   of_room.Keep(held->shared_snapshot());
   EXPECT_TRUE(of_room.HoldBlocks(false));
 }
@@ -150,11 +150,11 @@ TEST_F(PageBudgetTest, WhatFramesReadGoesOnceTheyArePublishedAndStored) {
   const std::int64_t before = ResidentBytes();
   Close();
   store_ = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = true}).value();
-  SessionOptions options = Options(1);
+  OpenMapOptions options = Options(1);
   options.publish.frames = options.commit.frames = 1000;
   options.publish.delay_s = options.commit.delay_s = 1000;
   {
-    MapSession session(store_->LoadMap("room").value(), *store_, options);
+    OpenMap session(store_->LoadMap("room").value(), *store_, options);
     for (int i = 4; i < 7; ++i) {
       ASSERT_TRUE(Wait<FrameOutcome>([&](auto done) { session.Integrate(FrameOf(i), done); }).report.ok());
     }
@@ -170,16 +170,16 @@ TEST_F(PageBudgetTest, AMapOfWhichAStateIsHeldIsNotClosedSoThatItCanStillBeRead)
   auto held = View();
   const auto close = [this] { registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1)); };
   close();
-  EXPECT_EQ(registry_->OpenSessions().size(), 1u);
+  EXPECT_EQ(registry_->OpenMaps().size(), 1u);
   Integrate(4, 12);
   close();
-  EXPECT_EQ(registry_->OpenSessions().size(), 1u) << "an earlier one, too";
+  EXPECT_EQ(registry_->OpenMaps().size(), 1u) << "an earlier one, too";
   Integrate(12, 20);
   for (const auto& submap : held->snapshot().submaps()) ReadAllOf(*submap);
   held = nullptr;
   EXPECT_TRUE(testing::Eventually([&] {
     close();
-    return registry_->OpenSessions().empty();
+    return registry_->OpenMaps().empty();
   }));
 }
 
@@ -190,7 +190,7 @@ TEST_F(PageBudgetTest, AnOpenMapThatIsFoundToBeDamagedIsClosedAndRepaired) {
     const auto report = registry_->Verify("room", true, {});
     ASSERT_TRUE(report.ok());
     EXPECT_EQ(report->num_faults, 0);
-    EXPECT_EQ(registry_->OpenSessions().size(), 1u) << "there is nothing to be repaired";
+    EXPECT_EQ(registry_->OpenMaps().size(), 1u) << "there is nothing to be repaired";
   }
   Close();
   DamageBlobsOfLabels();
@@ -201,14 +201,14 @@ TEST_F(PageBudgetTest, AnOpenMapThatIsFoundToBeDamagedIsClosedAndRepaired) {
   };
   EXPECT_THROW(read_all(), StatusError);
   {
-    const auto in_use = registry_->OpenSession("room").value();
+    const auto in_use = registry_->GetOpen("room").value();
     EXPECT_FALSE(registry_->Verify("room", true, {}).value().is_repaired);
-    EXPECT_EQ(registry_->OpenSessions().size(), 1u);
+    EXPECT_EQ(registry_->OpenMaps().size(), 1u);
   }
   const auto repaired = registry_->Verify("room", true, {});
   ASSERT_TRUE(repaired.ok()) << repaired.status().ToString();
   EXPECT_TRUE(repaired->is_repaired);
-  EXPECT_TRUE(registry_->OpenSessions().empty());
+  EXPECT_TRUE(registry_->OpenMaps().empty());
   EXPECT_NO_THROW(read_all());
 }
 
@@ -334,7 +334,7 @@ TEST_F(PageBudgetTest, MoreFramesMakeTheMapThatTheyMakeInMemory) {
 
   const auto store = OpenSqliteStore((other.path() / "maps.db").string()).value();
   const auto registry = MapRegistry::Open(*store, Options(0)).value();
-  const auto session = registry->OpenSession("room").value();
+  const auto session = registry->GetOpen("room").value();
   for (int i = 4; i < 12; ++i) {
     const auto outcome = Wait<FrameOutcome>([&](auto done) { session->Integrate(FrameOf(i), done); });
     EXPECT_TRUE(outcome.report.ok());
@@ -348,7 +348,7 @@ TEST_F(PageBudgetTest, AStateThatIsHeldWhileTheMapIsClosedAndOpenedAgainExpiresW
   Open(std::int64_t{1} << 30);
   const auto held = View()->shared_snapshot();  // a view would keep the map open
   registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1000));
-  ASSERT_TRUE(registry_->OpenSessions().empty());
+  ASSERT_TRUE(registry_->OpenMaps().empty());
   EXPECT_TRUE(ReadAnew(*held).ok()) << "nothing was changed yet";
   Integrate(4, 12);
   EXPECT_TRUE(testing::Eventually([&] {
@@ -371,7 +371,7 @@ TEST_F(PageBudgetTest, ADamagedTileIsToldToWhoNeedsItAndTheMapGoesOn) {
   const Submap& unread = *snapshot->submaps().back();
   EXPECT_THROW((void)unread.blocks().entries().front(), StatusError);
   const auto memory = MakeMemoryStore();
-  MapSession session(snapshot, *memory, {.mapping = {.num_threads = 1}});
+  OpenMap session(snapshot, *memory, {.mapping = {.num_threads = 1}});
   const auto frame = Wait<FrameOutcome>([&](auto done) { session.Integrate(FrameOf(4), done); });
   EXPECT_EQ(frame.report.status().code(), StatusCode::kUnavailable) << frame.report.status().ToString();
   const auto renamed = Wait<Result<EditOutcome>>([&](auto done) {

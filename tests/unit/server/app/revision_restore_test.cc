@@ -51,7 +51,7 @@ class RevisionRestore : public testing::EditUndoTest {
     return "";
   }
 
-  KeptStates kept{1000, std::make_shared<ByteBudget>(std::size_t{1} << 30)};
+  SnapshotHistory kept{1000, std::make_shared<ByteBudget>(std::size_t{1} << 30)};
   EditSummary summary;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/session/store_lag.h"
+#include "server/app/open_map/store_lag.h"
 
 #include <gtest/gtest.h>
 

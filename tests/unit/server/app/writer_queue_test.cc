@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/app/session/writer_queue.h"
+#include "server/app/open_map/writer_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "server/app/session/due_time.h"
+#include "server/app/open_map/due_time.h"
 #include "tests/support/eventually.h"
 
 namespace dhpmap {

@@ -125,6 +125,17 @@ TEST(ConfigLoader, KeysOfVersion01NameTheirSuccessors) {
   }
 }
 
+TEST(ConfigLoader, ARetiredMapKeyMayStayAtItsDefault) {
+  const std::string retired = "map_defaults.tracking.weigh_scores";
+  const KeyValues in_environment = KeysFromEnvironment({EnvironmentName(retired) + "=false"});
+  EXPECT_EQ(in_environment, (KeyValues{{retired, "false"}}));
+  ServerConfig config;
+  EXPECT_TRUE(ApplyKeyValues(in_environment, "a test", config).ok());
+  const auto values = ParseYaml("map_defaults: {tracking: {weigh_scores: true}}\n");
+  ASSERT_TRUE(values.ok());
+  EXPECT_EQ(Fields(ApplyKeyValues(*values, "a test", config)), std::set<std::string>{retired});
+}
+
 TEST(ConfigLoader, WhatIsNotAMappingIsRefused) {
   EXPECT_FALSE(ParseYaml("- a\n- b\n").ok());
   EXPECT_FALSE(ParseYaml("a: [1, 2]\n").ok());

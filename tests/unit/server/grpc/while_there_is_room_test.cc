@@ -38,7 +38,7 @@ class WhileThereIsRoomTest : public ::testing::Test {
   Mutex mutex_;
   std::shared_ptr<const MapSnapshot> present_ DHPMAP_GUARDED_BY(mutex_);
   ByteBudget budget_{kBudget_bytes};
-  HeldStates held_{budget_, [this](const MapSnapshot&) { return Present(); }};
+  PinnedSnapshots held_{budget_, [this](const MapSnapshot&) { return Present(); }};
   std::unique_ptr<MapStore> store_ = MakeMemoryStore();
   std::unique_ptr<MapRegistry> registry_ = MapRegistry::Open(*store_, {}).value();
   Lanes lanes_{Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}, Lane{{}}};
@@ -83,7 +83,7 @@ TEST_F(WhileThereIsRoomTest, WhoseClientIsGoneIsCancelled) {
 }
 
 TEST_F(WhileThereIsRoomTest, NoneBeginsWhileOldStatesTakeMuch) {
-  const auto old = held_.TryHold(Present(), {});  // cannot be let go of
+  const auto old = held_.TryPin(Present(), {});  // cannot be let go of
   WriteAll();
   held_.Look();
   bool has_begun = false;

@@ -27,7 +27,7 @@ TEST(Metrics, TextHoldsWhatWasRecorded) {
                                          .page_read_ns = 2'500'000'000,
                                          .num_page_hits = 16,
                                          .page_held_bytes = 15,
-                                         .num_pages_let_go = 11,
+                                         .num_pages_evicted = 11,
                                          .num_spilled = 12,
                                          .spill_bytes = 14,
                                          .past_bytes = 11});

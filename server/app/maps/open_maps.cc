@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps are opened on the first access, and closed when they are idle.
+#include <chrono>
+#include <utility>
+
+#include "mapping/base/guarded.h"
+#include "server/app/maps/map_registry.h"
+#include "server/app/maps/no_such_map.h"
+#include "server/app/open_map/shutting_down.h"
+
+namespace dhpmap {
+
+Result<std::shared_ptr<OpenMap>> MapRegistry::GetOpen(const std::string& name) {
+  const auto entry = FindEntry(name);
+  if (entry == nullptr) {
+    const MutexLock lock(mutex_);
+    return NoSuchMapAmongThese(name);
+  }
+  {
+    const MutexLock lock(mutex_);
+    entry->last_used = Clock::now();
+    if (entry->open_map) return entry->open_map;
+    if (entry->is_repaired) {
+      return ResourceExhausted("the map is being repaired: try again later").WithReason("TOO_BUSY");
+    }
+  }
+  const MutexLock busy(entry->busy);
+  {
+    const MutexLock lock(mutex_);
+    if (!entry->exists) return NoSuchMap(name);
+    entry->last_used = Clock::now();
+    if (entry->open_map) return entry->open_map;
+    if (!entry->stored.damage.ok()) return entry->stored.damage;
+  }
+  DHPMAP_ASSIGN_OR_RETURN(std::shared_ptr<const MapSnapshot> snapshot, store_.LoadMap(name));
+  auto open_map = Install(*entry, std::move(snapshot));
+  if (open_map == nullptr) return ShuttingDown();
+  return open_map;
+}
+
+bool MapRegistry::MustLoad(const std::string& name) const {
+  const MutexLock lock(mutex_);
+  const auto found = entries_.find(name);
+  return found != entries_.end() && found->second->exists && found->second->open_map == nullptr;
+}
+
+Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& name) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto open_map, GetOpen(name));
+  KeepPagesInBounds();
+  return open_map->View();
+}
+
+void MapRegistry::KeepPagesInBounds() {
+  const PageOptions& pages = map_options_.pages;
+  if (pages.budget_bytes == 0 || ResidentBytes(pages) <= BytesToKeep(pages)) return;
+  for (const auto& open_map : OpenMaps()) open_map->KeepPagesInBounds();
+}
+
+Result<std::shared_ptr<const MapView>> MapRegistry::ViewAt(const std::string& name, std::int64_t revision,
+                                                           const std::string& field) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto open_map, GetOpen(name));
+  KeepPagesInBounds();
+  return dhpmap::ViewAt(revision, open_map->View(), *open_map->history(), *LostRevisionsOf(name), field);
+}
+
+std::optional<FinishProgress> MapRegistry::FinishingOf(const std::string& name) const {
+  const auto entry = FindEntry(name);
+  if (entry == nullptr) return std::nullopt;
+  std::shared_ptr<OpenMap> open_map;
+  {
+    const MutexLock lock(mutex_);
+    open_map = entry->open_map;
+  }
+  return open_map != nullptr ? open_map->Finishing() : std::nullopt;
+}
+
+std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& state) const {
+  const auto entry = FindEntry(state.info().name);
+  if (entry == nullptr) return nullptr;
+  std::shared_ptr<OpenMap> open_map;
+  {
+    const MutexLock lock(mutex_);
+    open_map = entry->open_map;
+  }
+  if (open_map == nullptr) return nullptr;
+  auto present = open_map->View()->shared_snapshot();
+  if (present->info().history_id != state.info().history_id) return nullptr;
+  auto kept = open_map->history()->StateAt(state.revision());
+  return kept != nullptr ? kept : present;
+}
+
+std::vector<std::shared_ptr<OpenMap>> MapRegistry::OpenMaps() const {
+  const MutexLock lock(mutex_);
+  std::vector<std::shared_ptr<OpenMap>> open_maps;
+  for (const auto& [name, entry] : entries_) {
+    if (entry->open_map) open_maps.push_back(entry->open_map);
+  }
+  return open_maps;
+}
+
+void MapRegistry::GiveUpMapping() {
+  for (const auto& open_map : OpenMaps()) open_map->GiveUpMapping();
+}
+
+Status MapRegistry::Shutdown() {
+  {
+    const MutexLock lock(mutex_);
+    is_shut_down_ = true;
+  }
+  shut_down_.NotifyAll();
+  closer_.Join();
+  keeper_.Stop();
+  Status outcome;
+  for (const auto& open_map : OpenMaps()) {
+    if (const Status stored = open_map->Stop(); !stored.ok()) outcome = stored;
+  }
+  return outcome;
+}
+
+void MapRegistry::CloserLoop() {
+  const auto period =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.idle_close_s / 4));
+  MutexLock lock(mutex_);
+  while (!shut_down_.WaitFor(mutex_, period, [this]() DHPMAP_REQUIRES(mutex_) { return is_shut_down_; })) {
+    lock.Unlock();
+    TellSafely([this] { CloseIdleMaps(Clock::now()); });  // what lacks memory is closed next time
+    TellSafely([this] { KeepPagesInBounds(); });
+    lock.Lock();
+  }
+}
+
+void MapRegistry::CloseIdleMaps(Clock::time_point now) {
+  std::vector<std::shared_ptr<Entry>> open;
+  {
+    const MutexLock lock(mutex_);
+    for (const auto& [name, entry] : entries_) {
+      if (entry->open_map) open.push_back(entry);
+    }
+  }
+  for (const auto& entry : open) CloseIfIdle(*entry, now);
+}
+
+bool MapRegistry::IsOpen(const Entry& entry) const {
+  const MutexLock lock(mutex_);
+  return entry.open_map != nullptr;
+}
+
+void MapRegistry::CloseIfIdle(Entry& entry, Clock::time_point now) {
+  const auto limit = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.idle_close_s));
+  CloseIfAtRest(entry, now - limit, Closing::kIfNotViewed);
+}
+
+void MapRegistry::CloseIfAtRest(Entry& entry, Clock::time_point used_until, Closing closing) {
+  const MutexLock busy(entry.busy);  // whoever wants the map meanwhile waits, and loads it again
+  std::shared_ptr<OpenMap> open_map;
+  {
+    const MutexLock lock(mutex_);
+    const bool is_held = entry.open_map.use_count() != 1;  // whoever comes next asks us, under this lock
+    if (is_shut_down_ || !entry.open_map || is_held || entry.last_used > used_until) return;
+    if (!entry.open_map->IsAtRest()) return;
+    // What was not read yet of a state that is held goes with the next change unless that is made in this open map.
+    if (closing == Closing::kIfNotViewed && map_options_.pages.budget_bytes > 0 && entry.open_map->IsViewed()) return;
+    entry.stored = Summarise(entry);
+    open_map = std::exchange(entry.open_map, nullptr);
+  }
+  (void)open_map->Stop();  // nothing is left to be stored
+  const std::string name = open_map->View()->snapshot().info().name;
+  open_map.reset();
+  surfaces_.Forget(name);
+}
+
+std::shared_ptr<OpenMap> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot) {
+  OpenMapOptions options = map_options_;
+  options.publish.prepare = [this](const VisibleSnapshot::State& state, std::function<void()> ready) {
+    return keeper_.Note(state, std::move(ready));
+  };
+  options.commit.on_stored = [this, name = snapshot->info().name] { changes_.Notify(name); };
+  options.on_finishing = options.commit.on_stored;
+  auto open_map = std::make_shared<OpenMap>(std::move(snapshot), store_, std::move(options));
+  const MutexLock lock(mutex_);
+  if (is_shut_down_) return nullptr;
+  entry.open_map = open_map;
+  return open_map;
+}
+
+}  // namespace dhpmap
