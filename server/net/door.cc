@@ -34,6 +34,12 @@ std::size_t MostPerPeer(int max_connections) {
   return std::max(std::min(most, kFewConnections), most - most / 4);
 }
 
+/// Of all doors of the process, as the names of the pairs are.
+std::uint64_t NextNumber() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 GreeterOptions GreeterOptionsOf(const DoorOptions& options) {
   const auto half = static_cast<std::size_t>(std::max(options.max_connections / 2, 1));
   GreeterOptions greeter{.protocol = options.protocol, .tls = options.tls};
@@ -63,7 +69,6 @@ struct Door::Impl {
   RefusalLog refusals;
   PeerTable peers;
   std::function<void(Passed)> take;
-  std::atomic<std::uint64_t> last_number = 0;
   mutable Mutex mutex;
   std::unordered_map<std::uint64_t, PeerIdentity> identities DHPMAP_GUARDED_BY(mutex);
   // Last, those that hand over before those that take: their threads end in this order.
@@ -81,7 +86,7 @@ void Door::Impl::Accepted(int descriptor) {
 }
 
 void Door::Impl::PassOn(Greeted greeted) {
-  const std::uint64_t number = ++last_number;
+  const std::uint64_t number = NextNumber();
   auto pair = MakeNamedPair(number);
   if (!pair) return refusals.Note(Refusal::kOutOfDescriptors, greeted.peer);
   {

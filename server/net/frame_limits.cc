@@ -35,7 +35,7 @@ Refusal FrameLimits::OnClientHead(const FrameHead& head) {
   switch (head.type) {
     case FrameType::kData: return head.length_bytes > 0 || head.Has(kEndStream) ? Refusal::kNone : Control();
     case FrameType::kHeaders: return BeginHeaders(head);
-    case FrameType::kReset: return CloseStream(head.stream) ? Reset() : Control();
+    case FrameType::kReset: return OnReset(head.stream);
     case FrameType::kSettings: return OnSettings(head);
     case FrameType::kPing:
     case FrameType::kWindowUpdate: return Answer();
@@ -58,8 +58,8 @@ Refusal FrameLimits::BeginHeaders(const FrameHead& head) {
   if (head.stream > last_stream_) {
     last_stream_ = head.stream;
     if (streams_.size() >= kMostStreams) return Refusal::kTooManyStreams;
-    streams_.push_back(head.stream);
-  } else if (std::find(streams_.begin(), streams_.end(), head.stream) == streams_.end()) {
+    streams_.push_back({.id = head.stream, .is_answered = false});
+  } else if (FindStream(head.stream) == streams_.end()) {
     if (const Refusal refusal = Control(); refusal != Refusal::kNone) return refusal;  // of a stream that has ended
   }
   block_stream_ = head.stream;
@@ -114,7 +114,12 @@ Refusal FrameLimits::OnServerHead(const FrameHead& head) {
       if (!head.Has(kAck) && num_unacknowledged_++ == 0) unacknowledged_since_ = now_;
       return Refusal::kNone;
     case FrameType::kReset: is_reset_for_cause_ = false; return Refusal::kNone;
-    case FrameType::kHeaders: break;
+    case FrameType::kHeaders:
+      if (const auto found = FindStream(head.stream); found != streams_.end() && !found->is_answered) {
+        found->is_answered = true;
+        num_answers_ = std::min(num_answers_ + 1, kMostAnswers);
+      }
+      break;
     default: return Refusal::kNone;
   }
   if (head.Has(kEndStream)) CloseStream(head.stream);
@@ -149,8 +154,21 @@ Refusal FrameLimits::Answer() {
   return Refusal::kNone;
 }
 
+std::vector<FrameLimits::OpenStream>::iterator FrameLimits::FindStream(std::uint32_t stream) {
+  return std::find_if(streams_.begin(), streams_.end(), [stream](const OpenStream& one) { return one.id == stream; });
+}
+
+/// Who gives up a call before its answer begins leaves work behind that nobody waits for; who ends a watch that has
+/// told him something does not.
+Refusal FrameLimits::OnReset(std::uint32_t stream) {
+  const auto found = FindStream(stream);
+  const bool is_answered = found != streams_.end() && found->is_answered;
+  if (!CloseStream(stream)) return Control();
+  return is_answered ? Answer() : Reset();
+}
+
 bool FrameLimits::CloseStream(std::uint32_t stream) {
-  const auto found = std::find(streams_.begin(), streams_.end(), stream);
+  const auto found = FindStream(stream);
   if (found == streams_.end()) return false;
   *found = streams_.back();
   streams_.pop_back();

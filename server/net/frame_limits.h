@@ -48,6 +48,10 @@ class FrameLimits {
   [[nodiscard]] std::size_t num_streams() const { return streams_.size(); }
 
  private:
+  struct OpenStream {
+    std::uint32_t id;
+    bool is_answered;  // the server has begun to
+  };
   struct ClientSink final : FrameSink {
     explicit ClientSink(FrameLimits& owner) : limits(owner) {}
     Refusal OnHead(const FrameHead& head) override { return limits.OnClientHead(head); }
@@ -72,7 +76,9 @@ class FrameLimits {
   Refusal Control();
   /// Control, unless what the server has sent explains it.
   Refusal Answer();
+  std::vector<OpenStream>::iterator FindStream(std::uint32_t stream);
   bool CloseStream(std::uint32_t stream);
+  Refusal OnReset(std::uint32_t stream);
 
   const std::shared_ptr<PeerCounts> peer_;
   ClientSink from_client_;
@@ -82,7 +88,7 @@ class FrameLimits {
   TokenBucket resets_{kResets, kResets_per_s}, control_{kControl, kControl_per_s};
   int num_answers_ = 0;  // frames of the client that the server's DATA explains
 
-  std::vector<std::uint32_t> streams_;  // open
+  std::vector<OpenStream> streams_;
   std::uint32_t last_stream_ = 0;
 
   // The header block that the client is sending.

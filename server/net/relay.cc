@@ -36,6 +36,7 @@ struct Running {
 struct Relay::Impl {
   explicit Impl(OnEnded tell) : on_ended(std::move(tell)) {}
 
+  void WaitUntilEmpty(std::chrono::duration<double> at_most) DHPMAP_EXCLUDES(mutex);
   void Run();
   void TakeIn();
   void ContinueThose();
@@ -80,10 +81,12 @@ void Relay::Add(std::uint64_t number, ClientSocket client, Descriptor inner, std
   impl_->poller.Wake();
 }
 
-void Relay::WaitUntilEmpty(std::chrono::duration<double> at_most) {
-  const MutexLock lock(impl_->mutex);
-  (void)impl_->changed.WaitFor(impl_->mutex, std::chrono::duration_cast<CondVar::Clock::duration>(at_most),
-                               [impl = impl_.get()]() DHPMAP_REQUIRES(impl->mutex) { return impl->count == 0; });
+void Relay::WaitUntilEmpty(std::chrono::duration<double> at_most) { impl_->WaitUntilEmpty(at_most); }
+
+void Relay::Impl::WaitUntilEmpty(std::chrono::duration<double> at_most) {
+  const MutexLock lock(mutex);
+  (void)changed.WaitFor(mutex, std::chrono::duration_cast<CondVar::Clock::duration>(at_most),
+                        [this]() DHPMAP_REQUIRES(mutex) { return count == 0; });
 }
 
 void Relay::Impl::Run() {

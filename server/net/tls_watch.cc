@@ -11,11 +11,11 @@ namespace dhpmap::net {
 struct TlsWatch::Impl {
   void Run() DHPMAP_EXCLUDES(mutex) {
     NameThisThread("tls files");
-    const MutexLock lock(mutex);
+    MutexLock lock(mutex);
     while (!changed.WaitFor(mutex, period, [this]() DHPMAP_REQUIRES(mutex) { return is_stopping; })) {
-      mutex.Unlock();
+      lock.Unlock();
       if (const auto status = tls->ReloadIfChanged()) on_reload(*status);
-      mutex.Lock();
+      lock.Lock();
     }
   }
 

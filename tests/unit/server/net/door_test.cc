@@ -48,6 +48,22 @@ TEST_F(DoorTest, PassesBytesBothWaysAndEndsWithTheServer) {
   EXPECT_TRUE(client.IsClosedByServer());
 }
 
+TEST_F(DoorTest, StandsBesideAnotherDoorOfTheProcess) {
+  OpenDoor({});
+  HttpClient client(door_->port());
+  ASSERT_TRUE(client.SendRaw(kPreface));
+  const auto inner = behind_.Next();
+  ASSERT_TRUE(inner);
+  auto other = Door::Open({.name = "other", .address = "127.0.0.1:0"});
+  ASSERT_TRUE(other.ok());
+  (*other)->Start([&](Passed passed) { behind_.Take(std::move(passed)); });
+  HttpClient client_of_other((*other)->port());
+  ASSERT_TRUE(client_of_other.SendRaw(kPreface));
+  const auto inner_of_other = behind_.Next();  // its names are others
+  ASSERT_TRUE(inner_of_other);
+  EXPECT_NE(inner_of_other->peer.address, inner->peer.address);
+}
+
 TEST_F(DoorTest, TellsTheServerOfTheClientsEnd) {
   OpenDoor({});
   auto client = std::make_unique<HttpClient>(door_->port());

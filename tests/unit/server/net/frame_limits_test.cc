@@ -75,6 +75,15 @@ TEST_F(FrameLimitsTest, EndsRapidResetsAfterAHundredAndTakes33ASecond) {
   }
 }
 
+TEST_F(FrameLimitsTest, DoesNotCountResetsOfCallsThatTheServerHasBegunToAnswer) {
+  const auto watch_and_reset = [&](int i) {
+    const Refusal refusal = Open(StreamOf(i));
+    EXPECT_EQ(Server(FrameBytes(FrameType::kHeaders, kEndHeaders, StreamOf(i), "\x88")), Refusal::kNone);
+    return refusal != Refusal::kNone ? refusal : Client(Reset(StreamOf(i)));
+  };
+  EXPECT_EQ(Until(watch_and_reset), Ends(5000, Refusal::kNone));
+}
+
 TEST_F(FrameLimitsTest, CountsResetsThatTheClientMakesTheServerSend) {
   const auto made_to_reset = [&](int i) {
     const Refusal refusal = Open(StreamOf(i));
