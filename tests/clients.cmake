@@ -6,7 +6,7 @@ dhpmap_tests(ROOM unit/clients/datasets LIBS dhpmap_datasets dhpmap_test_scenes 
 find_package(octomap REQUIRED)  # reads what we write
 dhpmap_tests(ROOM unit/clients/cli STUBS LIBS dhpmap_cli dhpmap_test_scenes nlohmann_json::nlohmann_json octomap octomath)
 dhpmap_tests(ROOM unit/clients/cpp STUBS COST 10 LIBS dhpmap_client dhpmap_test_server dhpmap_server_process)
-add_dependencies(unit_clients_cpp_test dhpmap-server)
+add_dependencies(unit_clients_cpp_test dhpmap-server dhpmap)
 if(TARGET dhpmap_ompl)
   dhpmap_tests(ROOM unit/clients/cpp/ompl COST 10 LIBS dhpmap_ompl dhpmap_proto dhpmap_server_process dhpmap_test_scenes)
   add_dependencies(unit_clients_cpp_ompl_test dhpmap-server dhpmap dhpmap-simulate dhpmap-plan-example)

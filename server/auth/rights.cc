@@ -26,8 +26,8 @@ bool Has(Role role, Need need) {
 }
 
 Status RoleDenied(const Principal& principal, Need need) {
-  std::string message = "'" + principal.name + "' is a " + std::string(NameOf(principal.role)) + ": the call needs " +
-                        v1::Access::Need_Name(need);
+  std::string message = "the role of '" + principal.name + "' is " + std::string(NameOf(principal.role)) +
+                        ": the call needs " + v1::Access::Need_Name(need);
   if (need == v1::Access::EDIT) message += "; with validate_only it may be tried";
   return Denied(std::move(message)).WithReason("ROLE_NOT_ALLOWED");
 }

@@ -135,8 +135,7 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "file of keys, see `dhpmap keys`; empty = DB.keys if that is there, else no keys");
   visit("auth.audit", c.auth.audit, 0, 0, "file for who changed what and who was refused, with keys on; empty = off");
   visit("tls.cert", c.tls.cert, 0, 0,
-        "PEM file of the certificate and those that signed it, for both doors; empty = no TLS; read again when it "
-        "changes");
+        "PEM file of the certificate chain of both doors; empty = no TLS; read again when it changes");
   visit("tls.key", c.tls.key, 0, 0, "PEM file of its private key, which other users must not be able to read");
   visit("tls.client_ca", c.tls.client_ca, 0, 0, "PEM file of who signs the certificates of clients");
   visit("tls.client_auth", c.tls.client_auth, 0, 0, "none, optional or required: whether clients show certificates");

@@ -22,7 +22,6 @@ grpc::ChannelArguments ChannelOptions() {
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20'000);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 100);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2'000);
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   return arguments;
@@ -54,10 +53,17 @@ Caller::Caller(std::string address, ConnectOptions options, std::string token,
     : address_(std::move(address)),
       options_(std::move(options)),
       token_(std::move(token)),
+      channel_(channel),
       stubs_(channel, channel, channel, channel, channel, channel) {}
 
 void Caller::Introduce(grpc::ClientContext& context) const {
   if (!token_.empty()) context.AddMetadata("authorization", "Bearer " + token_);
+}
+
+bool Caller::AwaitConnection(Clock::time_point end) const { return channel_->WaitForConnected(GrpcTime(end)); }
+
+void Caller::Pause(Clock::time_point end) const {
+  if (AwaitConnection(end)) std::this_thread::sleep_until(end);
 }
 
 Status Caller::StatusOf(const grpc::Status& status) const { return client::StatusOf(status, address_); }
@@ -77,7 +83,7 @@ Status Caller::Attempt(const std::function<grpc::Status(grpc::ClientContext*)>& 
     if (again == Again::kNo || !IsPassing(status)) return status;
     const Clock::duration pause = pauses.Next();
     if (Clock::now() + pause >= end) return status;
-    std::this_thread::sleep_for(pause);
+    Pause(Clock::now() + pause);
   }
 }
 

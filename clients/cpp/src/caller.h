@@ -50,6 +50,11 @@ class Caller {
   }
   /// What each call says of who calls.
   void Introduce(grpc::ClientContext& context) const;
+  /// Until there is a connection, or `end` has come; whether there is one. gRPC looks after a channel that nobody waits
+  /// for every five seconds only: so who has lost a connection waits here, not asleep.
+  [[nodiscard]] bool AwaitConnection(Clock::time_point end) const;
+  /// Until `end`, while a lost connection comes back.
+  void Pause(Clock::time_point end) const;
   /// What a stream that has ended came to.
   [[nodiscard]] Status StatusOf(const grpc::Status& status) const;
   [[nodiscard]] double DeadlineOr(double deadline_s) const { return deadline_s > 0 ? deadline_s : options_.deadline_s; }
@@ -62,6 +67,7 @@ class Caller {
   const std::string address_;
   const ConnectOptions options_;
   const std::string token_;
+  const std::shared_ptr<grpc::Channel> channel_;
   std::tuple<v1::EditService::Stub, v1::MapService::Stub, v1::MappingService::Stub, v1::QueryService::Stub,
              v1::SubmapService::Stub, v1::WatchService::Stub>
       stubs_;

@@ -115,25 +115,41 @@ void FrameStream::Hold() {
       heard_before = heard_at_;
     }
     const Status status = Exchange();
-    const MutexLock lock(mutex_);
-    if (heard_at_ != heard_before) {
-      pauses = {};
-      lost_at.reset();
+    Clock::time_point again;
+    {
+      const MutexLock lock(mutex_);
+      if (heard_at_ != heard_before) {
+        pauses = {};
+        lost_at.reset();
+      }
+      is_over_ = is_abandoned_ || (status.ok() && is_closing_ && unacknowledged_.empty());
+      if (status.ok() && !is_over_) continue;  // all is stored, and there is more to come
+      const Clock::time_point now = Clock::now();
+      lost_at = lost_at.value_or(now);
+      const bool may_pass = status.code == StatusCode::kUnavailable || status.code == StatusCode::kResourceExhausted;
+      if (!is_over_ && (!may_pass || now - *lost_at > Seconds(options_.reconnect_s))) {
+        error_ = status;
+        is_over_ = true;
+      }
+      changed_.NotifyAll();
+      if (is_over_) return;
+      again = now + pauses.Next();
     }
-    is_over_ = is_abandoned_ || (status.ok() && is_closing_ && unacknowledged_.empty());
-    if (status.ok() && !is_over_) continue;  // all is stored, and there is more to come
-    const Clock::time_point now = Clock::now();
-    lost_at = lost_at.value_or(now);
-    const bool may_pass = status.code == StatusCode::kUnavailable || status.code == StatusCode::kResourceExhausted;
-    if (!is_over_ && (!may_pass || now - *lost_at > Seconds(options_.reconnect_s))) {
-      error_ = status;
-      is_over_ = true;
+    AwaitConnection(again);
+  }
+}
+
+void FrameStream::AwaitConnection(Clock::time_point again) {
+  constexpr auto kLook = std::chrono::milliseconds(100), kLongest = std::chrono::milliseconds(2000);
+  bool is_connected = false;
+  while (Clock::now() < again || (!is_connected && Clock::now() < again + kLongest)) {
+    {
+      const MutexLock lock(mutex_);
+      if (is_abandoned_) return;
     }
-    changed_.NotifyAll();
-    if (is_over_) return;
-    const Clock::time_point again = now + pauses.Next();
-    while (!is_abandoned_ && changed_.WaitUntil(mutex_, again)) {
-    }
+    const Clock::time_point look = Clock::now() + kLook;
+    is_connected = caller_->AwaitConnection(look);
+    if (is_connected) std::this_thread::sleep_until(std::min(look, again));
   }
 }
 

@@ -46,6 +46,8 @@ class FrameStream {
 
   /// Connects until all is over.
   void Hold();
+  /// Until `again`, and on until there is a connection, two seconds at most; less if the feed is abandoned.
+  void AwaitConnection(Clock::time_point again) DHPMAP_EXCLUDES(mutex_);
   /// One connection; OK: all that was to be sent is stored.
   Status Exchange();
   Status ReadAll(Stream& stream);

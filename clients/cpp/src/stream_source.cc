@@ -5,7 +5,6 @@
 #include <grpcpp/support/async_stream.h>
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
 #include "clients/cpp/src/error.h"
@@ -114,7 +113,7 @@ Result<v1::StreamQueriesResponse> StreamSource::AnswerBy(v1::StreamQueriesReques
     if (answer.ok() || !IsPassing(answer.status())) return answer;
     const Clock::duration pause = pauses.Next();
     if (Clock::now() + pause >= end) return answer;
-    std::this_thread::sleep_for(pause);
+    caller_->Pause(Clock::now() + pause);
   }
 }
 

@@ -18,6 +18,7 @@ namespace {
 constexpr double kProgress_s = 5;  // the server says something at least so often
 constexpr double kSilence_s = 3 * kProgress_s;
 constexpr double kForever_s = 3e7;
+constexpr double kLook_s = 0.1;  // how soon Close is noticed while there is no connection
 
 }  // namespace
 
@@ -142,21 +143,26 @@ Result<bool> Watch::Impl::Recover(const Status& why, Clock::time_point end) {
   unfinished_.clear();  // comes again
   const Clock::time_point now = Clock::now();
   if (!lost_at_) lost_at_ = now;
-  const MutexLock lock(mutex_);
-  call_.reset();
-  if (is_closed_) return false;
+  {
+    const MutexLock lock(mutex_);
+    call_.reset();
+    if (is_closed_) return false;
+  }
   if (why.code != StatusCode::kUnavailable || now - *lost_at_ > Seconds(reconnect_s_)) return why;
   const Clock::time_point again = std::min(end, now + pauses_.Next());
-  while (!is_closed_ && closed_.WaitUntil(mutex_, again)) {
-  }
-  return !is_closed_ && Clock::now() < end;
+  while (!IsClosed() && Clock::now() < again) caller_->Pause(std::min(again, Clock::now() + Seconds(kLook_s)));
+  return !IsClosed() && Clock::now() < end;
+}
+
+bool Watch::Impl::IsClosed() {
+  const MutexLock lock(mutex_);
+  return is_closed_;
 }
 
 void Watch::Impl::Close() {
   const MutexLock lock(mutex_);
   is_closed_ = true;
   if (call_ != nullptr) call_->Cancel();
-  closed_.NotifyAll();
 }
 
 Watch::Watch(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -44,7 +44,6 @@ struct Watch::Impl {
   Pauses pauses_;
 
   Mutex mutex_;
-  CondVar closed_;
   bool is_closed_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::unique_ptr<Call> call_;  // by the thread of Next; made and dropped with the mutex held
 };

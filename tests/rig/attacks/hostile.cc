@@ -13,12 +13,12 @@
 
 #include "mapping/base/this_thread.h"
 #include "tests/rig/at_once.h"
+#include "tests/rig/attacks/floods.h"
 #include "tests/rig/attacks/lying_frames.h"
 #include "tests/rig/attacks/over_maps.h"
 #include "tests/rig/attacks/quick_probes.h"
 #include "tests/rig/attacks/unfinished_loads.h"
 #include "tests/rig/attacks/unread_loads.h"
-#include "tests/rig/floods.h"
 #include "tests/rig/rig.h"
 #include "tests/rig/server_under_test.h"
 #include "tests/unit/server/http/http_client.h"

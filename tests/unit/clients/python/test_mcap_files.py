@@ -83,7 +83,8 @@ def test_a_damaged_index_is_not_believed(tmp_path):
 @pytest.mark.parametrize("data, message", [
     (b"", "its.mcap is empty"), (b"hello there", "does not begin as an MCAP file"),
     (b"#ROSBAG V2.0\n", "is a bag of ROS 1"), (b"SQLite format 3\0", "ros2 bag convert"),
-    (b"\x28\xb5\x2f\xfd....", "zstd -d"), (b"\x89MCAP1\r\n", "version 0")])
+    (b"\x28\xb5\x2f\xfd....", "zstd -d"), (b"\x89MCAP1\r\n", "version 0")],
+    ids=("empty", "text", "ros1", "sqlite", "zstd", "version_1"))
 def test_what_is_no_mcap_file_is_told_what_it_is(tmp_path, data, message):
     with pytest.raises(dhpmap.DataLoss, match=message):
         Recording(written(tmp_path, data))
@@ -101,7 +102,8 @@ def test_what_is_no_mcap_file_is_told_what_it_is(tmp_path, data, message):
     ([made.record(made.CHUNK, bytes(28) + made.text("") + struct.pack("<Q", 1 << 40))], "chunk record is damaged"),
     ([made.chunk(DECLARED, "lz4", b"no lz4")], "has a damaged chunk"),
     ([made.chunk(DECLARED, "zstd", b"no zstd")], "has a damaged chunk"),
-])
+], ids=("undeclared", "channel", "schema", "checksum", "too_small", "too_large", "cut_record", "long_record",
+        "no_chunk", "lz4", "zstd"))
 def test_damage_is_an_error_of_its_own(tmp_path, records, message):
     for module in ("lz4.frame", "zstandard"):
         pytest.importorskip(module)
@@ -129,7 +131,7 @@ def test_a_record_cannot_claim_more_than_the_file_has(tmp_path):
         assert said(path) == []
 
 
-@pytest.mark.parametrize("compression, module", [("lz4", "lz4.frame"), ("zstd", "zstandard")])
+@pytest.mark.parametrize("compression, module", [("lz4", "lz4.frame"), ("zstd", "zstandard")], ids=("lz4", "zstd"))
 def test_packed_chunks_are_unpacked(tmp_path, compression, module):
     its = pytest.importorskip(module)
     pack = its.compress if compression == "lz4" else its.ZstdCompressor().compress
@@ -137,7 +139,7 @@ def test_packed_chunks_are_unpacked(tmp_path, compression, module):
     assert said(path) == [b"one", b"two", b"three"]
 
 
-@pytest.mark.parametrize("compression, module", [("lz4", "lz4.frame"), ("zstd", "zstandard")])
+@pytest.mark.parametrize("compression, module", [("lz4", "lz4.frame"), ("zstd", "zstandard")], ids=("lz4", "zstd"))
 def test_a_chunk_never_unpacks_to_more_than_it_says(tmp_path, compression, module):
     its = pytest.importorskip(module)
     bomb = bytes(50_000_000)
@@ -154,7 +156,7 @@ def test_a_chunk_never_unpacks_to_more_than_it_says(tmp_path, compression, modul
 
 @pytest.mark.parametrize("compression, module, install", [
     ("lz4", "lz4.frame", "install python3-lz4"), ("zstd", "zstandard", "install python3-zstandard"),
-    ("brotli", "none", "none, lz4 and zstd can be read")])
+    ("brotli", "none", "none, lz4 and zstd can be read")], ids=("lz4", "zstd", "brotli"))
 def test_what_cannot_be_unpacked_says_what_to_install(tmp_path, monkeypatch, compression, module, install):
     monkeypatch.setitem(sys.modules, module, None)
     with pytest.raises(dhpmap.Unimplemented, match=install):

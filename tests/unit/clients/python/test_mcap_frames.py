@@ -2,6 +2,7 @@
 """Frames of small recordings that are made here: topics, stamps, poses, encodings, and what is wrong with them."""
 import struct
 import tracemalloc
+import warnings
 
 import numpy as np
 import pytest
@@ -93,7 +94,8 @@ def test_a_recording_without_the_map_s_frame_says_which_ones_there_are(tmp_path)
 @pytest.mark.parametrize("link, message", [
     ((0, "map", "base", (0, 0, 0), (0, 0, 0, 0)), "is none: quaternion"),
     ((0, "map", "base", (np.nan, 0, 0), (0, 0, 0, 1)), "is none"),
-    ((0, "camera", "map", (0, 0, 0), (0, 0, 0, 1)), "go in a circle")])
+    ((0, "camera", "map", (0, 0, 0), (0, 0, 0, 1)), "go in a circle")],
+    ids=("no_rotation", "not_finite", "circle"))
 def test_transforms_that_cannot_be_are_refused(tmp_path, link, message):
     with pytest.raises(dhpmap.DataLoss, match=message):
         list(frames(recorded(tmp_path, ("/tf", TF, 60, made.transforms(link)))))
@@ -126,7 +128,7 @@ def test_what_comes_late_is_waited_for(tmp_path):
 
 @pytest.mark.parametrize("encoding, pixel, rgb", [
     ("rgb8", (1, 2, 3), (1, 2, 3)), ("bgr8", (1, 2, 3), (3, 2, 1)), ("rgba8", (1, 2, 3, 4), (1, 2, 3)),
-    ("bgra8", (1, 2, 3, 4), (3, 2, 1)), ("mono8", (7,), (7, 7, 7))])
+    ("bgra8", (1, 2, 3, 4), (3, 2, 1)), ("mono8", (7,), (7, 7, 7))], ids=("rgb", "bgr", "rgba", "bgra", "mono"))
 def test_colours_of_all_encodings_with_padded_rows(tmp_path, encoding, pixel, rgb):
     pixels = rows("u1", [pixel * 4] * 3, padding=5)
     (got,) = frames(recorded(tmp_path, color(100, encoding, pixels), stamps_ms=(100,)))
@@ -146,7 +148,8 @@ def test_depth_in_metres_and_of_the_other_byte_order(tmp_path):
 
 @pytest.mark.parametrize("depth, message", [
     (("8UC1", rows("u1", np.ones((3, 4)))), r"/cam/depth is of '8UC1'; depth is 16UC1 \(millimetres\) or 32FC1"),
-    (("16UC1", rows("u1", np.ones((3, 7)))), "/cam/depth has a damaged image: 4 x 3 of 16UC1 in rows of 7 bytes")])
+    (("16UC1", rows("u1", np.ones((3, 7)))), "/cam/depth has a damaged image: 4 x 3 of 16UC1 in rows of 7 bytes")],
+    ids=("encoding", "rows"))
 def test_depth_that_is_none_is_told(tmp_path, depth, message):
     with pytest.raises(dhpmap.Error, match=message):
         list(frames(recorded(tmp_path, depth=depth)))
@@ -154,7 +157,7 @@ def test_depth_that_is_none_is_told(tmp_path, depth, message):
 
 @pytest.mark.parametrize("options, message", [
     ({"d": (0.1, 0, 0, 0, 0)}, "the camera distorts .*rectified=True"), ({"binning": 2}, "binned or cropped"),
-    ({"K": (0,) * 9}, "not calibrated")])
+    ({"K": (0,) * 9}, "not calibrated")], ids=("distorts", "binned", "no_calibration"))
 def test_cameras_that_are_no_pinholes_are_told(tmp_path, options, message):
     info = made.camera_info(0, 4, 3, **options)
     with pytest.raises(dhpmap.InvalidArgument, match=f"/cam/camera_info: .*{message}"):
@@ -175,7 +178,8 @@ def test_a_camera_that_changes_is_refused(tmp_path):
 @pytest.mark.parametrize("other, message", [
     (color(100, frame_id="color"), "/cam/color is in frame 'color', /cam/depth in 'camera': register depth to colour"),
     (color(100, width=2), "/cam/color has 2 x 3 pixels, /cam/camera_info says 4 x 3"),
-    (color(100, "yuv422"), "/cam/color is of 'yuv422'; colour may be mono8, rgb8")])
+    (color(100, "yuv422"), "/cam/color is of 'yuv422'; colour may be mono8, rgb8")],
+    ids=("frame", "size", "encoding"))
 def test_images_that_do_not_belong_together_are_told(tmp_path, other, message):
     with pytest.raises(dhpmap.InvalidArgument, match=message):
         list(frames(recorded(tmp_path, other, stamps_ms=(100,))))
@@ -236,7 +240,7 @@ def test_a_detection_is_a_segment_of_its_likeliest_class(tmp_path):
         [[7, 9, 11, 0]] * 3, {7: "chair", 9: "lamp", 11: None})
 
 
-@pytest.mark.parametrize("number", ["", "0", "a", "-3", "99999999999"])
+@pytest.mark.parametrize("number", ["", "0", "a", "-3", "99999999999"], ids=("empty", "zero", "text", "minus", "large"))
 def test_a_detection_whose_id_is_no_pixel_value_is_told(tmp_path, number):
     with pytest.raises(dhpmap.InvalidArgument, match="/detections: a detection has the id"):
         labelled(tmp_path, [detections((number, ("chair", 1)))], [[1] * 4] * 3)
@@ -253,7 +257,8 @@ def test_labels_that_nothing_explains_are_told(tmp_path):
     ({"depth": "/a", "cloud": "/b"}, "depth and cloud are both given"),
     ({"dept": "/a"}, "there is no option 'dept'; there are depth, cloud"),
     ({"depth": ""}, "no topic holds depth images or clouds"),
-    ({"camera_info": "/cam/depth"}, "wanted sensor_msgs/msg/CameraInfo")])
+    ({"camera_info": "/cam/depth"}, "wanted sensor_msgs/msg/CameraInfo")],
+    ids=("no_topic", "type", "two_leads", "no_option", "none", "camera_info"))
 def test_topics_that_are_not_meant_are_told(tmp_path, options, message):
     with pytest.raises(dhpmap.InvalidArgument, match=message):
         frames(recorded(tmp_path), **options)
@@ -297,9 +302,33 @@ def test_a_cloud_of_either_byte_order_leaves_out_what_is_no_return(tmp_path):
 
 @pytest.mark.parametrize("fields, step, message", [
     ([("x", 0, 7), ("y", 4, 7)], 12, "points need x, y and z"), ([("x", 10, 7)], 12, "reaches beyond a point"),
-    ([("x", 0, 7), ("y", 4, 7), ("z", 8, 7)], 12, "no integer field 'label'")])
+    ([("x", 0, 7), ("y", 4, 7), ("z", 8, 7)], 12, "no integer field 'label'")],
+    ids=("no_z", "field", "no_label"))
 def test_clouds_without_points_or_labels_are_told(tmp_path, fields, step, message):
     cloud = made.point_cloud(100 * MS, fields, step, [bytes(12)] * 3, "camera")
     path = recorded(tmp_path, ("/points", "sensor_msgs/msg/PointCloud2", 100, cloud))
     with pytest.raises(dhpmap.Error, match=message):
         list(frames(path, cloud="/points", label_field="label", classes={10: "car"}))
+
+
+def test_any_damaged_byte_of_a_recording_is_an_error_of_ours_or_none(tmp_path):
+    fields = [("x", 0, 7), ("y", 4, 7), ("z", 8, 7), ("label", 12, 4)]
+    cloud = made.point_cloud(100 * MS, fields, 16, [bytes(16)] * 2, "camera")
+    labels = ("/labels", IMAGE, 100, made.image(100 * MS, "mono16", DEPTH, 4))
+    path = recorded(tmp_path, color(100), labels, detections(("7", ("chair", 0.7))), label_info((1, "wall")),
+                    ("/points", "sensor_msgs/msg/PointCloud2", 100, cloud), stamps_ms=(100,), moving_ms=(90, 110))
+    data = path.read_bytes()
+    images = {"depth": "/cam/depth", "color": "/cam/color", "labels": "/labels", "label_table": "/detections"}
+    points = {"cloud": "/points", "label_field": "label", "label_table": "/info"}
+    outcomes = set()
+    for options in (images, points):
+        for at in range(0, len(data), 23):
+            path.write_bytes(data[:at] + bytes([data[at] ^ 0xFF]) + data[at + 1:])
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", McapWarning)  # any other is an error
+                try:
+                    list(frames(path, **options))
+                    outcomes.add("frames")
+                except dhpmap.Error as error:
+                    outcomes.add(type(error).__name__)
+    assert {"frames", "DataLoss", "InvalidArgument", "Gap"} <= outcomes

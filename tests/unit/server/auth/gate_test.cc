@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/auth/keys/key_book.h"
+#include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/server/auth/keys/known_bytes.h"
 
@@ -89,6 +90,13 @@ TEST_F(GateTest, TakesUpWhatHasBecomeOfTheFile) {
   now_s = 100;
   EXPECT_EQ(Shown(*gate, bert), Reason("KEY_EXPIRED"));
   EXPECT_TRUE(faults.empty());
+}
+
+TEST_F(GateTest, LooksByItself) {
+  const auto gate = Gate::WithKeys({.key_file = file, .look_s = 0.001, .now_s = [] { return 10; }});
+  ASSERT_TRUE(gate.ok());
+  Revoke("anna");
+  EXPECT_TRUE(testing::Eventually([&] { return Shown(**gate, anna) == Reason("KEY_REVOKED"); }));
 }
 
 TEST_F(GateTest, AFileThatCannotBeUsedIsToldOfOnceAndTheKeysStay) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/rig/floods.h"
+#include "tests/rig/attacks/floods.h"
 
 #include <grpcpp/create_channel.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using namespace net::frame_flags;
 using Clock = std::chrono::steady_clock;
-using net::FrameType;
+using FloodFrame = net::FrameType;
 using testing::FrameBytes;
 
 constexpr std::chrono::seconds kAttack{5};
@@ -29,11 +29,11 @@ constexpr std::chrono::seconds kToConnect{5};
 int PortOf(const Target& target) { return std::stoi(target.grpc_address.substr(target.grpc_address.rfind(':') + 1)); }
 
 std::string Call(std::uint32_t stream) {
-  return FrameBytes(FrameType::kHeaders, kEndHeaders, stream, testing::CallFields("/dhpmap.v1.MapService/ListMaps"));
+  return FrameBytes(FloodFrame::kHeaders, kEndHeaders, stream, testing::CallFields("/dhpmap.v1.MapService/ListMaps"));
 }
 
-const std::string kSettings = FrameBytes(FrameType::kSettings, 0, 0);
-const std::string kAcknowledged = FrameBytes(FrameType::kSettings, kAck, 0);
+const std::string kSettingsFrame = FrameBytes(FloodFrame::kSettings, 0, 0);
+const std::string kAcknowledgement = FrameBytes(FloodFrame::kSettings, kAck, 0);
 
 /// A robot that connects while it goes on is served.
 bool IsNewClientServed(const Target& target) {
@@ -75,18 +75,18 @@ bool Attack(const Target& target, const std::string& first, const std::function<
 }  // namespace
 
 bool ResetRapidly(const Target& target) {
-  return Attack(target, kSettings + kAcknowledged, [](int i) {
+  return Attack(target, kSettingsFrame + kAcknowledgement, [](int i) {
     std::string part;
     for (int call = 0; call < 100; ++call) {
       const auto stream = static_cast<std::uint32_t>(2 * (100 * i + call) + 1);
-      part += Call(stream) + FrameBytes(FrameType::kReset, 0, stream, testing::BigEndianBytes(8, 4));
+      part += Call(stream) + FrameBytes(FloodFrame::kReset, 0, stream, testing::BigEndianBytes(8, 4));
     }
     return part;
   });
 }
 
 bool LeaveSettingsUnacknowledged(const Target& target) {
-  return Attack(target, kSettings, [](int i) {
+  return Attack(target, kSettingsFrame, [](int i) {
     std::string part;
     for (int call = 0; i < 400 && call < 100; ++call)
       part += Call(static_cast<std::uint32_t>(2 * (100 * i + call) + 1));
@@ -97,22 +97,22 @@ bool LeaveSettingsUnacknowledged(const Target& target) {
 bool ContinueHeadersForever(const Target& target) {
   std::string fields;
   while (fields.size() < 16'000) fields += testing::LiteralField("x-a", std::string(100, 'y'));
-  const std::string part = FrameBytes(FrameType::kContinuation, 0, 1, fields);
-  return Attack(target, kSettings + kAcknowledged + FrameBytes(FrameType::kHeaders, 0, 1, "\x82"),
+  const std::string part = FrameBytes(FloodFrame::kContinuation, 0, 1, fields);
+  return Attack(target, kSettingsFrame + kAcknowledgement + FrameBytes(FloodFrame::kHeaders, 0, 1, "\x82"),
                 [&part](int) { return part; });
 }
 
 bool DeclareHugeValue(const Target& target) {
   const std::string beginning = "\x40\x03x-a\x7f\x81\xff\xff\xff\x07";
-  const std::string part = FrameBytes(FrameType::kContinuation, 0, 1, std::string(16'384, 'y'));
-  return Attack(target, kSettings + kAcknowledged + FrameBytes(FrameType::kHeaders, 0, 1, beginning),
+  const std::string part = FrameBytes(FloodFrame::kContinuation, 0, 1, std::string(16'384, 'y'));
+  return Attack(target, kSettingsFrame + kAcknowledgement + FrameBytes(FloodFrame::kHeaders, 0, 1, beginning),
                 [&part](int) { return part; });
 }
 
 bool PingForever(const Target& target) {
   std::string part;
-  for (int i = 0; i < 500; ++i) part += FrameBytes(FrameType::kPing, kAck, 0, "12345678") + kSettings;
-  return Attack(target, kSettings + kAcknowledged, [&part](int) { return part; });
+  for (int i = 0; i < 500; ++i) part += FrameBytes(FloodFrame::kPing, kAck, 0, "12345678") + kSettingsFrame;
+  return Attack(target, kSettingsFrame + kAcknowledgement, [&part](int) { return part; });
 }
 
 bool ConnectSilently(const Target& target) {
