@@ -220,7 +220,7 @@ TEST_F(CommitWorkerTest, ACommitThatThrowsIsOneThatFailed) {
   store.ThrowNext(std::runtime_error("of the store"));
   const Status other = Request(Change(), Durability::kNormal).get();
   EXPECT_EQ(other.code(), StatusCode::kInternal);
-  EXPECT_NE(other.message().find("of the store"), std::string::npos) << other.message();
+  EXPECT_NE(other.ToString().find("of the store"), std::string::npos) << other.ToString();
   store.ThrowNext(1);
   EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kInternal);
   EXPECT_EQ(worker->committed_revision(), 1);
