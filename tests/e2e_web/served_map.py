@@ -20,6 +20,12 @@ class Server:
         self.http = self.grpc = "127.0.0.1:0"
         self.start()
 
+    def make_key(self, name, role):
+        """Where there is a file of keys beside the database, the server asks for them."""
+        file = os.path.join(self.folder, f"{self.name}.db.keys")
+        return subprocess.run([os.path.join(self.programs, "dhpmap"), "keys", "create", name, "--role", role, "--keys",
+                               file], check=True, capture_output=True, text=True).stdout.strip()
+
     def start(self):
         self.process = subprocess.Popen(
             [os.path.join(self.programs, "dhpmap-server"), "--db", os.path.join(self.folder, f"{self.name}.db"),

@@ -437,6 +437,29 @@ def test_twice_as_large_and_narrow_everything_is_reached(world):
         page.driver.set_window_size(1280, 800)
 
 
+def test_where_keys_are_on_it_asks_for_one_and_shows_what_the_key_may_see(world):
+    locked = Server(world.programs, world.folder, "locked")
+    try:
+        key = locked.make_key("vera", "viewer")
+        locked.stop()
+        locked.start()
+        page = world.page
+        page.driver.get(f"{locked.url}/ui/")
+        page.until("s.get('phase').is === 'locked'")
+        field = page.driver.find_element(By.CSS_SELECTOR, ".login input")
+        field.send_keys("dhp_nobody", Keys.ENTER)
+        page.until("document.querySelector('.login [role=alert]').textContent.includes('no such key')")
+        field.send_keys(key, Keys.ENTER)  # what was wrong is selected
+        page.until("s.get('phase').is === 'no maps'")
+        assert page.js("return document.cookie") == "", "no script sees it"
+        page.driver.get("about:blank")
+        page.driver.get(f"{locked.url}/ui/")
+        page.until("s.get('phase').is === 'no maps'")
+        page.complaints.clear()  # the browser tells of each refusal
+    finally:
+        locked.stop()
+
+
 def test_without_maps_and_without_webgl_it_says_what_to_do(world):
     empty = Server(world.programs, world.folder, "empty")
     try:

@@ -131,7 +131,7 @@ function start(store: ViewStore, ahead: Ahead): void {
   const inspector = new Inspector(store, edits, moveTool, focusOn);
   const statusBar = new StatusBar(store, renderer, edits);
   const label = newLabel(store);
-  const scene = el("main", { class: "scene", aria: { label: "Map" } }, renderer.canvas, newOverlay(store, actions.openMap));
+  const scene = el("main", { class: "scene", aria: { label: "Map" } }, renderer.canvas, newOverlay(store, actions.openMap, () => session.retryNow()));
   renderer.canvas.tabIndex = 0;
   renderer.canvas.setAttribute("aria-label", "The map in 3D. Keys: question mark.");
   document.body.append(

@@ -20,12 +20,19 @@ async function readWhole(change: ObjectChange): Promise<ObjectChange> {
   return object && object.revision >= change.object.revision ? { ...change, object } : change;
 }
 
+const howToGetAKey = "Whoever runs the server makes one: dhpmap keys create NAME --role viewer";
+const lockedWhy: { readonly [reason: string]: string } = {
+  KEY_EXPIRED: "Your key has expired: ask for a new one.",
+  KEY_REVOKED: "Your key was revoked: ask for a new one.",
+};
+
 const retry_ms = [500, 1000, 2000, 4000];
 
 export class Session {
   private watch: Watch | null = null;
   private retryTimer = 0;
   private numRetries = 0;
+  private retry: () => void = () => undefined;
   /** Which map is followed, and since which list of it: answers to what was asked before are left. */
   private generation = 0;
   private turn: Promise<void> = Promise.resolve();
@@ -141,6 +148,7 @@ export class Session {
       this.list(map).catch((error: unknown) => {
         if (generation !== this.generation) return;
         if (error instanceof ApiError && error.status === 404) void this.start(map.id);
+        else if (error instanceof ApiError && error.status === 401) this.failed(error, () => this.start(map.id));
         else this.listAgain(map);
       }),
     );
@@ -154,8 +162,19 @@ export class Session {
     this.later(() => this.start(mapId));
   }
 
+  /** What was waited for is asked for at once: somebody has logged in. */
+  retryNow(): void {
+    clearTimeout(this.retryTimer);
+    this.store.set("phase", { is: "connecting" });
+    this.retry();
+  }
+
   private failed(error: unknown, again: () => void): void {
     this.store.set("link", "lost");
+    if (error instanceof ApiError && error.status === 401) {
+      this.retry = again;
+      return this.store.set("phase", { is: "locked", why: lockedWhy[error.reason] ?? howToGetAKey });
+    }
     this.store.set("phase", { is: "failed", why: error instanceof Error ? error.message : String(error) });
     this.later(again);
   }

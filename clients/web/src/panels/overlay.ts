@@ -2,6 +2,7 @@
 import type { MapInfo } from "../api/types";
 import type { ViewStore } from "../state/view";
 import { button, el } from "./dom";
+import { newLoginForm } from "./login_form";
 
 const mostChoices = 12;
 
@@ -30,7 +31,11 @@ const keys: readonly (readonly [string, string])[] = [
 ];
 
 /** What is said in the middle while there is no map to see. */
-export function newOverlay(store: ViewStore, openMap: (map: MapInfo) => void = () => undefined): HTMLElement {
+export function newOverlay(
+  store: ViewStore,
+  openMap: (map: MapInfo) => void = () => undefined,
+  onLogin: () => void = () => undefined,
+): HTMLElement {
   const overlay = el("div", { class: "overlay", role: "status" });
   store.follow(["phase"], () => {
     const phase = store.get("phase");
@@ -76,6 +81,12 @@ export function newOverlay(store: ViewStore, openMap: (map: MapInfo) => void = (
           "The server does not answer",
           el("p", {}, phase.why),
           el("p", { class: "muted" }, "Trying again by itself."),
+        );
+      case "locked":
+        return say(
+          "This server asks for a key",
+          newLoginForm(onLogin),
+          el("p", { class: "muted" }, phase.why),
         );
       case "no webgl":
         return say(

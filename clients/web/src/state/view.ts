@@ -47,6 +47,8 @@ export type Phase =
   | { readonly is: "loading"; readonly bytes: number }
   | { readonly is: "ready" }
   | { readonly is: "failed"; readonly why: string }
+  /** The server asks for a key. */
+  | { readonly is: "locked"; readonly why: string }
   | { readonly is: "no webgl" };
 
 export interface ViewState {
