@@ -20,5 +20,5 @@ NINJA_STATUS='[%p of %t] ' cmake --build --preset "$preset" ${1:+--target "$@"} 
 }
 # Milliseconds of start and end, and what was made: the slowest of this build, one line a command.
 tail -n "+$((before + 1))" "$ninja_log" 2>/dev/null | awk -F'\t' 'NF >= 4 { took[$1 " " $2] = $2 - $1; made[$1 " " $2] = $4 }
-  END { for (i in took) if (took[i] >= 1000) printf "%6.1f s  %s\n", took[i] / 1000, made[i] }' | sort -rn | head -n 10 |
+  END { for (i in took) if (took[i] >= 1000) printf "%6.1f s  %s\n", took[i] / 1000, made[i] }' | sort -rn | sed -n 1,10p |
   { mapfile -t slowest; [ ${#slowest[@]} -eq 0 ] || printf '%s\n' "-- slowest of it:" "${slowest[@]}"; }

@@ -16,7 +16,7 @@ namespace dhpmap::auth {
 /// they end with the server. Beyond kMost the oldest is forgotten. Thread-safe.
 class LoginSessions {
  public:
-  static constexpr std::int64_t kLife_s = 12 * 3600;
+  static constexpr std::int64_t kLife_s = std::int64_t{12} * 3600;
   static constexpr std::size_t kMost = 10'000;
 
   explicit LoginSessions(Randomness randomness) : randomness_(std::move(randomness)) {}
