@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wiring: store -> registry -> gRPC door -> REST door, until SIGTERM, SIGINT, SIGHUP or SIGUSR1.
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -133,6 +134,7 @@ int Main(const std::vector<std::string>& arguments, const std::vector<std::strin
     return 0;
   }
   InitLog(LogOptionsOf(invocation->config));
+  (void)umask(077);  // maps, records and spilled tiles are for the server's user alone
   RaiseDescriptorLimit();
   const Status status = Serve(invocation->config, BlockEndSignals());
   if (!status.ok()) LogError(status.ToString());

@@ -125,6 +125,7 @@ Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config) {
         "started to let strangers in where nothing keeps them out: insecure, insecure_no_tls or insecure_no_auth");
   }
   const std::string file = KeyFileOf(config);
+  LogInfo(file.empty() ? "without keys: whoever reaches a door may do everything" : "with the keys of " + file);
   if (file.empty()) return auth::Gate::Open();
   return auth::Gate::WithKeys({.key_file = file, .audit_file = config.auth.audit, .on_fault = [](const Status& fault) {
                                  LogError("keys stay as they were: " + fault.ToString());

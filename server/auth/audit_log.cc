@@ -12,6 +12,8 @@
 namespace dhpmap::auth {
 namespace {
 
+constexpr std::size_t kMostText = 128;  // of what a stranger may have written
+
 /// What a client named may be no UTF-8: what is none is replaced.
 std::string LineOf(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -35,9 +37,10 @@ Status AuditLog::Write(const AuditEntry& entry) {
   const MutexLock lock(mutex_);
   if (now_s != second_) {
     second_ = now_s;
-    num_refusals_ = 0;
+    num_refusals_[0] = num_refusals_[1] = 0;
   }
-  if (!entry.decision.ok() && ++num_refusals_ > kMostRefusals) {
+  int& num_refusals = num_refusals_[entry.principal != nullptr ? 1 : 0];
+  if (!entry.decision.ok() && ++num_refusals > kMostRefusals) {
     ++num_left_out_;
     return Status::Ok();
   }
@@ -47,8 +50,8 @@ Status AuditLog::Write(const AuditEntry& entry) {
     json["principal"] = entry.principal->name;
     json["key"] = entry.principal->key_id;
   }
-  json["rpc"] = entry.rpc;
-  if (!entry.map.empty()) json["map"] = entry.map.substr(0, 128);
+  json["rpc"] = entry.rpc.substr(0, kMostText);
+  if (!entry.map.empty()) json["map"] = entry.map.substr(0, kMostText);
   json["decision"] = entry.decision.ok() ? "allowed" : std::string(entry.decision.reason().name());
   if (num_left_out_ > 0) json["refusals_left_out"] = std::exchange(num_left_out_, 0);
   const std::string line = LineOf(json);

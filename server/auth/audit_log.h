@@ -24,7 +24,8 @@ struct AuditEntry {
 
 /// Who was let in to what changes something, and who was refused what: a line of JSON each, with the time, the
 /// principal, the id of its key, the rpc, the map and the decision; never a key, never what a request holds. Of
-/// refusals ten a second are written, and how many were left out is said in the next line. Thread-safe.
+/// refusals of known principals ten a second are written, of others as many, and how many were left out is said in the
+/// next line. Thread-safe.
 class AuditLog {
  public:
   static constexpr int kMostRefusals = 10;
@@ -46,7 +47,7 @@ class AuditLog {
   const WallClock now_s_;
   Mutex mutex_;
   std::int64_t second_ DHPMAP_GUARDED_BY(mutex_) = 0;
-  int num_refusals_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< in that second
+  int num_refusals_[2] DHPMAP_GUARDED_BY(mutex_) = {};  ///< in that second, of strangers and of known principals
   std::int64_t num_left_out_ DHPMAP_GUARDED_BY(mutex_) = 0;
 };
 

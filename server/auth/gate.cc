@@ -107,9 +107,8 @@ void Gate::Look() {
 
 Status Gate::Load() {
   auto content = ReadKeyFile(options_.key_file);
-  const auto state = content.ok() ? Result<FileState>(content->state) : StateOfKeyFile(options_.key_file);
   const MutexLock lock(mutex_);
-  if (state.ok()) state_ = *state;  // a file that cannot be used is read again when it has changed
+  state_ = content.ok() ? content->state : FileState{};  // what cannot be read now is read again at the next look
   if (!content.ok()) return content.status();
   ring_ = std::make_shared<const KeyRing>(content->records);
   fault_.clear();

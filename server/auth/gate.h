@@ -100,7 +100,7 @@ class Gate {
   CondVar changed_;
   bool is_ending_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::shared_ptr<const KeyRing> ring_ DHPMAP_GUARDED_BY(mutex_);
-  FileState state_ DHPMAP_GUARDED_BY(mutex_);    ///< of the file when it was last read, or could not be
+  FileState state_ DHPMAP_GUARDED_BY(mutex_);    ///< of the file as it was read; none: it could not be
   std::string fault_ DHPMAP_GUARDED_BY(mutex_);  ///< told last; empty: none since
   std::thread looker_;
 };

@@ -83,10 +83,14 @@ Status ServerConfig::Validate() const {
 
 std::string KeyFileOf(const ServerConfig& config) {
   if (!config.auth.keys.empty() || config.db.empty()) return config.auth.keys;
-  std::string beside = config.db + ".keys";
   std::error_code error;
-  // Whatever it is, a link that leads nowhere, too: only where there is nothing at all are keys off.
-  return std::filesystem::symlink_status(beside, error).type() == std::filesystem::file_type::not_found ? "" : beside;
+  // Beside the database and beside the link to it. Whatever it is, a link that leads nowhere, too: only where there is
+  // nothing at all are keys off.
+  for (const std::string& db : {config.db, std::filesystem::weakly_canonical(config.db, error).string()}) {
+    const std::string beside = db + ".keys";
+    if (std::filesystem::symlink_status(beside, error).type() != std::filesystem::file_type::not_found) return beside;
+  }
+  return "";
 }
 
 bool IsInsecure(const ServerConfig& config) {

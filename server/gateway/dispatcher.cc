@@ -106,13 +106,13 @@ Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::Request
         .WithReason("FOREIGN_ORIGIN");
   }
   const bool is_stream = match.route->is_stream();
-  auto caller = CallerOf(head, match);
-  if (!caller.ok()) {
-    gate_->Audit({.rpc = match.route->rpc_path, .map = {}, .decision = caller.status()});
-    return caller.status();
+  auth::PrincipalPtr caller;
+  if (const Status admitted = Admit(head, match, caller); !admitted.ok()) {
+    gate_->Audit({.principal = caller.get(), .rpc = match.route->rpc_path, .map = {}, .decision = admitted});
+    return admitted;
   }
   DHPMAP_ASSIGN_OR_RETURN(RpcRequest request, RpcRequest::Make(head, std::move(match), query, max_body_bytes_));
-  if (*caller != nullptr) CallFor(*gate_, *std::move(caller), request.call);
+  if (caller != nullptr) CallFor(*gate_, std::move(caller), request.call);
   ByteShare share(inflight_.get());
   if (is_stream) return MakeStreamExchange(std::move(request), std::move(share), backend_, responder);
   if (!share.Resize(request.announced_bytes)) return TooManyBytes();
@@ -121,12 +121,15 @@ Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::Request
 
 Status Dispatcher::CheckPage(const http::RequestHead& head, std::string_view path) const {
   if (gate_ == nullptr || Pages::IsForAll(path)) return Status::Ok();
-  return WhoAsks(*gate_, head).status();
+  DHPMAP_ASSIGN_OR_RETURN(const auth::PrincipalPtr principal, WhoAsks(*gate_, head));
+  if (path != "/metrics" || principal->maps.match_all()) return Status::Ok();
+  return Status(StatusCode::kPermissionDenied, "metrics name every map: they are for keys that are for all maps")
+      .WithReason("MAP_NOT_ALLOWED");
 }
 
-Result<auth::PrincipalPtr> Dispatcher::CallerOf(const http::RequestHead& head, const RouteMatch& match) const {
-  if (gate_ == nullptr) return auth::PrincipalPtr();
-  DHPMAP_ASSIGN_OR_RETURN(auth::PrincipalPtr principal, WhoAsks(*gate_, head));
+Status Dispatcher::Admit(const http::RequestHead& head, const RouteMatch& match, auth::PrincipalPtr& principal) const {
+  if (gate_ == nullptr) return Status::Ok();
+  DHPMAP_ASSIGN_OR_RETURN(principal, WhoAsks(*gate_, head));
   const auth::CallNeeds* needs = gate_->NeedsOf(match.route->rpc_path);
   if (needs == nullptr) return Internal("an rpc says nothing of who may call it");
   DHPMAP_RETURN_IF_ERROR(auth::CheckRole(*principal, *needs));
@@ -135,7 +138,7 @@ Result<auth::PrincipalPtr> Dispatcher::CallerOf(const http::RequestHead& head, c
     if (!value.starts_with("maps/")) continue;
     DHPMAP_RETURN_IF_ERROR(auth::CheckMap(*principal, MapOfResource(value)));
   }
-  return principal;
+  return Status::Ok();
 }
 
 }  // namespace dhpmap::gateway

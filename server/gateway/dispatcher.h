@@ -35,8 +35,9 @@ class Dispatcher final : public http::Handler {
 
   /// Of a page that is not for all.
   [[nodiscard]] Status CheckPage(const http::RequestHead& head, std::string_view path) const;
-  /// For whom an RPC is called; null without keys.
-  [[nodiscard]] Result<auth::PrincipalPtr> CallerOf(const http::RequestHead& head, const RouteMatch& match) const;
+  /// Whether the RPC may be called, and for whom: set if it is known, also of a call that is refused; null without
+  /// keys.
+  Status Admit(const http::RequestHead& head, const RouteMatch& match, auth::PrincipalPtr& principal) const;
 
   HttpRuleRouter router_;
   std::shared_ptr<auth::Gate> gate_;  ///< null: all is open

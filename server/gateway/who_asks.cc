@@ -41,8 +41,9 @@ std::vector<std::string_view> LoginsOf(const http::RequestHead& head) {
 
 bool IsFromOwnPage(const http::RequestHead& head) {
   if (head.is_from_foreign_page) return false;
-  return http::FindHeader(head.headers, "sec-fetch-site") == "same-origin" ||
-         !http::FindHeader(head.headers, "origin").empty();
+  // Browsers that say it know it best: a page of another port of our host is none of ours.
+  const std::string_view site = http::FindHeader(head.headers, "sec-fetch-site");
+  return site.empty() ? !http::FindHeader(head.headers, "origin").empty() : site == "same-origin";
 }
 
 Status ForeignPage() {
@@ -76,7 +77,10 @@ http::Response LogIn(auth::Gate& gate, const http::RequestHead& head) {
   if (head.is_from_foreign_page) return ErrorResponse(ForeignPage(), AnswerFormat::kAny);
   // Who is logged in already may do so again, as another.
   auto principal = gate.Authenticate(ValuesOf(head, "authorization"));
-  if (!principal.ok()) return ErrorResponse(principal.status(), AnswerFormat::kAny);
+  const Status counted = principal.ok() ? gate.Count(**principal) : principal.status();
+  gate.Audit(
+      {.principal = principal.ok() ? principal->get() : nullptr, .rpc = "/ui/login", .map = {}, .decision = counted});
+  if (!counted.ok()) return ErrorResponse(counted, AnswerFormat::kAny);
   return Done(gate.LogIn(*std::move(principal)), auth::LoginSessions::kLife_s);
 }
 

@@ -121,18 +121,23 @@ Status TlsContext::Reload() {
   auto made = Make(options_);
   const MutexLock lock(mutex_);
   tried_ = std::move(stamp);
+  failure_ = made.ok() ? std::string() : made.status().message();
   if (!made.ok()) return made.status();
   context_ = std::move(*made);
   return Status::Ok();
 }
 
 std::optional<Status> TlsContext::ReloadIfChanged() {
+  std::string told;
   {
     const std::string stamp = Stamp();
     const MutexLock lock(mutex_);
-    if (stamp == tried_) return std::nullopt;
+    if (stamp == tried_ && failure_.empty()) return std::nullopt;
+    if (stamp == tried_) told = failure_;  // it may have failed for want of something else, such as descriptors
   }
-  return Reload();
+  Status status = Reload();
+  if (!status.ok() && status.message() == told) return std::nullopt;
+  return status;
 }
 
 std::string TlsContext::Stamp() const {

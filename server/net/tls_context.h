@@ -49,7 +49,7 @@ class TlsContext {
   /// Reads the files again. What cannot be used changes nothing, and is said. Connections go on with what they began
   /// with.
   Status Reload() DHPMAP_EXCLUDES(mutex_);
-  /// Reload if a file is another than at the last try, else nothing.
+  /// Reload if a file is another than at the last try, or that failed; nothing where there is nothing new to say.
   std::optional<Status> ReloadIfChanged() DHPMAP_EXCLUDES(mutex_);
 
   /// Of a new connection: the server's side, ready for its handshake. Null if there is no memory.
@@ -68,6 +68,7 @@ class TlsContext {
   mutable Mutex mutex_;
   Context context_ DHPMAP_GUARDED_BY(mutex_);
   std::string tried_ DHPMAP_GUARDED_BY(mutex_);
+  std::string failure_ DHPMAP_GUARDED_BY(mutex_);  ///< of that try; empty: it did not fail
 };
 
 /// The first URI or else DNS name of the certificate that the client has shown and that was verified; "" if there is

@@ -46,7 +46,7 @@ ExitCode Show(const Session& session, const auth::ShownKey& key) {
               << "\n";
     return ExitCode::kOk;
   }
-  std::cerr << "Key " << key.record.id << " of " << key.record.name << ", a " << auth::NameOf(key.record.role)
+  std::cerr << "Key " << key.record.id << " of " << key.record.name << ", role " << auth::NameOf(key.record.role)
             << ". It is shown this once; keep it in a file of mode 600, for --token-file.\n";
   std::cout << key.text << "\n";
   return ExitCode::kOk;

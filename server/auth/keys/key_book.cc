@@ -53,6 +53,15 @@ Result<ShownKey> RotateKey(std::string_view name, std::int64_t overlap_s, std::i
   const auto is_meant = [&](const KeyRecord& record) { return record.name == name && IsGood(record, now_s); };
   const auto newest = std::find_if(records.rbegin(), records.rend(), is_meant);
   if (newest == records.rend()) return NoKey(name);
+  const auto differs = [&](const KeyRecord& record) {
+    return is_meant(record) &&
+           (record.role != newest->role || record.maps != newest->maps || record.sessions != newest->sessions);
+  };
+  if (std::any_of(records.begin(), records.end(), differs)) {
+    return InvalidArgument("the keys of '" + std::string(name) +
+                           "' may do different things: revoke those that are not meant by their ids")
+        .WithReason("BAD_KEY");
+  }
   KeyRecord next = *newest;
   if (next.expires_s != kNever_s) next.expires_s = now_s + (next.expires_s - next.created_s);
   next.created_s = now_s;

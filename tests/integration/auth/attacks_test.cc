@@ -92,6 +92,9 @@ TEST_F(Attacks, PagesButHealthNeedAKey) {
     EXPECT_EQ(locked.Ask("", "GET", page).status, 401) << page;
     EXPECT_EQ(locked.Ask(locked.key_of("viewer"), "GET", page).status, 200) << page;
   }
+  const std::string narrow = locked.MakeKey({.name = "narrow", .maps = {"site-*"}});
+  EXPECT_EQ(locked.Ask(narrow, "GET", "/metrics").status, 403) << "they name all maps";
+  EXPECT_EQ(locked.Ask(narrow, "GET", "/openapi.json").status, 200);
   for (const char* page : {"/healthz", "/readyz"}) EXPECT_EQ(locked.Ask("", "GET", page).status, 200) << page;
 }
 
@@ -287,6 +290,7 @@ TEST_F(Attacks, ALoginIsACookieThatCountsForTheServersOwnPagesAlone) {
   EXPECT_EQ(ask({}), 403) << "no browser's page";
   EXPECT_EQ(ask({{"Sec-Fetch-Site", "cross-site"}}), 403);
   EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-site"}}), 403) << "another port of this machine";
+  EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-site"}, {"Origin", "http://localhost"}}), 403) << "whatever its Origin";
   EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-origin"}, {"Origin", "http://evil.example"}}), 403);
   EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-origin"}, {"Authorization", "Bearer x"}}), 400);
   EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-origin"}, {"Cookie", cookie}}), 400) << "twice";

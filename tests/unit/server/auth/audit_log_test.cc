@@ -57,10 +57,14 @@ TEST_F(AuditLogTest, AFloodOfRefusalsIsCountedAndHidesNothingElse) {
   EXPECT_TRUE(log->Write({.principal = &anna, .rpc = "/y"}).ok());
   ASSERT_EQ(Lines().size(), 11u);
   EXPECT_NE(Lines()[10].find("\"refusals_left_out\":90"), std::string::npos);
+  const std::string long_path(7000, 'x');
+  EXPECT_TRUE(log->Write({.principal = &anna, .rpc = long_path, .decision = refused}).ok());
+  ASSERT_EQ(Lines().size(), 12u) << "what strangers do hides no refusal of a known principal";
+  EXPECT_LT(Lines()[11].size(), 300u);
   ++now_s;
   EXPECT_TRUE(log->Write({.rpc = "/x", .decision = refused}).ok());
-  EXPECT_EQ(Lines().size(), 12u);
-  EXPECT_EQ(Lines()[11].find("left_out"), std::string::npos);
+  EXPECT_EQ(Lines().size(), 13u);
+  EXPECT_EQ(Lines()[12].find("left_out"), std::string::npos);
 }
 
 TEST_F(AuditLogTest, LinksAreRefused) {

@@ -10,7 +10,9 @@
 namespace dhpmap::auth {
 namespace {
 
-PrincipalPtr Somebody() { return std::make_shared<const Principal>(Principal{.name = "anna"}); }
+PrincipalPtr Somebody(const std::string& name = "anna") {
+  return std::make_shared<const Principal>(Principal{.name = name});
+}
 
 TEST(LoginSessions, AWordIsGoodForItsTimeOrUntilItsEnd) {
   LoginSessions logins(KnownBytes());
@@ -28,12 +30,22 @@ TEST(LoginSessions, AWordIsGoodForItsTimeOrUntilItsEnd) {
 
 TEST(LoginSessions, BeyondTheMostTheOldestIsForgotten) {
   LoginSessions logins(SystemRandomness());
-  const std::string first = logins.Begin(Somebody(), 0), second = logins.Begin(Somebody(), 0);
-  for (std::size_t i = 2; i < LoginSessions::kMost; ++i) (void)logins.Begin(Somebody(), 0);
+  const std::string first = logins.Begin(Somebody("0"), 0), second = logins.Begin(Somebody("1"), 0);
+  for (std::size_t i = 2; i < LoginSessions::kMost; ++i) (void)logins.Begin(Somebody(std::to_string(i)), 0);
   EXPECT_NE(logins.Find(first, 1), nullptr);
-  (void)logins.Begin(Somebody(), 0);
+  (void)logins.Begin(Somebody("more"), 0);
   EXPECT_EQ(logins.Find(first, 1), nullptr);
   EXPECT_NE(logins.Find(second, 1), nullptr);
+}
+
+TEST(LoginSessions, WhoLogsInOftenLogsNobodyElseOut) {
+  LoginSessions logins(SystemRandomness());
+  const std::string bert = logins.Begin(Somebody("bert"), 0), first = logins.Begin(Somebody(), 0);
+  std::string last;
+  for (std::size_t i = 0; i < LoginSessions::kMostOfOne; ++i) last = logins.Begin(Somebody(), 0);
+  EXPECT_EQ(logins.Find(first, 1), nullptr);
+  EXPECT_NE(logins.Find(last, 1), nullptr);
+  EXPECT_NE(logins.Find(bert, 1), nullptr);
 }
 
 }  // namespace

@@ -90,6 +90,14 @@ TEST_F(KeyRingTest, ARotatedKeyIsGoodForAWhileBesideTheNewOne) {
   EXPECT_EQ(RotateKey("anna", 0, kNow_s + 5000, random, records).status().reason(), Reason("KEY_NOT_FOUND"));
 }
 
+TEST_F(KeyRingTest, KeysThatMayDoDifferentThingsAreNotRotatedAsOne) {
+  Add("anna", Role::kAdmin, kNow_s + 1000);
+  Add("anna", Role::kViewer, kNow_s + 1000);
+  const auto before = records;
+  EXPECT_EQ(RotateKey("anna", 60, kNow_s, random, records).status().reason(), Reason("BAD_KEY"));
+  EXPECT_EQ(records, before) << "the admin's key stays as it is";
+}
+
 TEST_F(KeyRingTest, KeysThatCannotBeAreNotMade) {
   const std::vector<NewKey> wrong = {{.name = ""},
                                      {.name = "anna/laptop"},
