@@ -36,9 +36,6 @@ class KeyProcessor final : public grpc::AuthMetadataProcessor {
     if (path == head.end()) return Internal("a call names no rpc");
     const auth::CallNeeds* needs = gate_->NeedsOf(ViewOf(path->second));
     if (needs != nullptr && needs->is_public) return Status::Ok();
-    if (path->second == "/grpc.health.v1.Health/Watch") {  // gRPC's own handler, which would outlive the key
-      return {StatusCode::kUnimplemented, "ask for the health by Check"};
-    }
     if (head.contains(auth::kTicketKey)) {
       return Status(StatusCode::kUnauthenticated, "tickets are for calls inside the server")
           .WithReason("BAD_CREDENTIAL");
@@ -49,6 +46,9 @@ class KeyProcessor final : public grpc::AuthMetadataProcessor {
     const auto principal = gate_->Authenticate(keys);
     if (!principal.ok()) return Refused(nullptr, principal.status(), path->second);
     if (needs == nullptr) return {StatusCode::kUnimplemented, "there is no such rpc"};
+    if (path->second == "/grpc.health.v1.Health/Watch") {  // gRPC's own handler, which would outlive the key
+      return {StatusCode::kUnimplemented, "ask for the health by Check"};
+    }
     return Refused(principal->get(), auth::CheckRole(**principal, *needs), path->second);
   }
   /// The status as it is, written down if it is no good one.

@@ -312,6 +312,9 @@ TEST_F(Attacks, HealthAloneIsForAll) {
   const auto channel = locked.server().channel();
   EXPECT_OK(CallRawAs(channel, "/grpc.health.v1.Health/Check", ""));
   EXPECT_EQ(CallRawAs(channel, "/grpc.health.v1.Health/Watch", "").error_code(), grpc::UNAUTHENTICATED);
+  EXPECT_EQ(CallRawAs(channel, "/grpc.health.v1.Health/Watch", locked.key_of("admin")).error_code(),
+            grpc::UNIMPLEMENTED)
+      << "it would outlive its key";
   EXPECT_EQ(CallRawAs(channel, "/dhpmap.v1.MapService/NoSuch", "").error_code(), grpc::UNAUTHENTICATED);
   EXPECT_EQ(CallRawAs(channel, "/dhpmap.v1.MapService/NoSuch", locked.key_of("admin")).error_code(),
             grpc::UNIMPLEMENTED);
