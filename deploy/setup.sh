@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 packages=(
   g++ cmake ninja-build ccache pkg-config ca-certificates curl python3
   libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
-  libsqlite3-dev libssl-dev libzstd-dev libjemalloc-dev zlib1g-dev libspng-dev libtiff-dev libturbojpeg0-dev
+  libsqlite3-dev libzstd-dev libjemalloc-dev zlib1g-dev libspng-dev libtiff-dev libturbojpeg0-dev
   libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libpcl-dev
   libspdlog-dev libssl-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev libnanoflann-dev
   libgtest-dev liboctomap-dev libompl-dev
@@ -39,16 +39,25 @@ done
 as_root() {
   if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi
 }
+# Another apt may hold the lock, and a server of packages may be busy.
+apt() {
+  local n
+  for n in 1 2 3 4; do
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get "$@" && return
+    sleep $((15 * n))
+  done
+  return 1
+}
 has_googleapis() { grep -qs 'message ErrorInfo' "$googleapis_dir/google/rpc/error_details.proto"; }
 
-mapfile -t missing < <(comm -23 <(printf '%s\n' "${packages[@]}" | sort) <(
+mapfile -t missing < <(comm -23 <(printf '%s\n' "${packages[@]}" | sort -u) <(
   dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p' | sort))
 if [ ${#missing[@]} -gt 0 ] || ! has_googleapis; then
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq
+  apt update -qq
 fi
 if [ ${#missing[@]} -gt 0 ]; then
   say "setup: installing ${missing[*]}"
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  apt install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 
 if ! has_googleapis; then
