@@ -41,7 +41,9 @@ ClientSocket::Moved ClientSocket::Read(char* to, std::size_t most) {
   ERR_clear_error();
   std::size_t got = 0;
   const int result = SSL_read_ex(session_.get(), to, most, &got);
-  return result == 1 ? Moved{Outcome::kDone, got} : Moved{OutcomeOf(result)};
+  if (result != 1) return {OutcomeOf(result)};
+  wants_to_write_ = false;
+  return {Outcome::kDone, got};
 }
 
 ClientSocket::Moved ClientSocket::Write(const char* from, std::size_t num_bytes) {
@@ -52,7 +54,9 @@ ClientSocket::Moved ClientSocket::Write(const char* from, std::size_t num_bytes)
   ERR_clear_error();
   std::size_t sent = 0;
   const int result = SSL_write_ex(session_.get(), from, num_bytes, &sent);
-  return result == 1 ? Moved{Outcome::kDone, sent} : Moved{OutcomeOf(result)};
+  if (result != 1) return {OutcomeOf(result)};
+  wants_to_write_ = false;
+  return {Outcome::kDone, sent};
 }
 
 Outcome ClientSocket::OutcomeOf(int result) {

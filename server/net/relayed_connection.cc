@@ -123,7 +123,8 @@ bool RelayedConnection::MoveDown(std::span<char> scratch) {
     const std::size_t sent = SendDown(bytes);
     if (sent < bytes.size()) down_.Keep(bytes.substr(sent));
     if (refusal != Refusal::kNone) Refuse(refusal);
-    if (is_over_ || bytes.size() < scratch.size()) return true;
+    // Of a door that has closed nothing more is told: its end is read here.
+    if (is_over_ || (bytes.size() < scratch.size() && !is_inner_gone_)) return true;
   }
   return down_.is_stuck();
 }

@@ -5,6 +5,7 @@
 #include <openssl/pem.h>
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 
 #include <array>
@@ -81,10 +82,24 @@ Status UsePair(SSL_CTX* context, const TlsOptions& options) {
   return is_used ? Status::Ok() : InvalidArgument("the certificate in " + options.cert + " is too weak to be used");
 }
 
+/// OpenSSL 3.0 takes any number of KeyUpdates within one SSL_read, which would never return. Honest clients change keys
+/// once in hundreds of gigabytes.
+void CountKeyUpdates(int is_written, int, int content, const void* message, std::size_t size, SSL* session, void*) {
+  constexpr std::uintptr_t kMost = 64;
+  static const int place = SSL_get_ex_new_index(0, nullptr, nullptr, nullptr, nullptr);
+  const bool is_key_update = is_written == 0 && content == SSL3_RT_HANDSHAKE && size > 0 &&
+                             *static_cast<const unsigned char*>(message) == SSL3_MT_KEY_UPDATE;
+  if (!is_key_update || place < 0) return;
+  const auto count = reinterpret_cast<std::uintptr_t>(SSL_get_ex_data(session, place)) + 1;
+  SSL_set_ex_data(session, place, reinterpret_cast<void*>(count));
+  if (count > kMost) ::shutdown(SSL_get_fd(session), SHUT_RDWR);  // the next read of it fails
+}
+
 Result<std::shared_ptr<SSL_CTX>> Make(const TlsOptions& options) {
   std::shared_ptr<SSL_CTX> context(SSL_CTX_new(TLS_server_method()), SslFree());
   if (context == nullptr) return ResourceExhausted("no memory for TLS");
   Harden(context.get());
+  SSL_CTX_set_msg_callback(context.get(), CountKeyUpdates);
   DHPMAP_RETURN_IF_ERROR(UsePair(context.get(), options));
   DHPMAP_RETURN_IF_ERROR(UseClientCa(context.get(), options));
   return context;

@@ -126,7 +126,9 @@ void FrameStream::Hold() {
       if (status.ok() && !is_over_) continue;  // all is stored, and there is more to come
       const Clock::time_point now = Clock::now();
       lost_at = lost_at.value_or(now);
-      const bool may_pass = status.code == StatusCode::kUnavailable || status.code == StatusCode::kResourceExhausted;
+      // Without a reason it is gRPC's own word: the frame is larger than the server takes, and will be.
+      const bool may_pass = status.code == StatusCode::kUnavailable ||
+                            (status.code == StatusCode::kResourceExhausted && !status.reason.empty());
       if (!is_over_ && (!may_pass || now - *lost_at > Seconds(options_.reconnect_s))) {
         error_ = status;
         is_over_ = true;

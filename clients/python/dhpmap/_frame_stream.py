@@ -121,7 +121,8 @@ class FrameStream:
             if error is None and not is_over:
                 continue  # all is stored, and there is more to come
             lost_at = lost_at if lost_at is not None else time.monotonic()
-            passes = isinstance(error, (Unavailable, ResourceExhausted))
+            # Without a reason it is gRPC's own word: the frame is larger than the server takes, and will be.
+            passes = isinstance(error, Unavailable) or (isinstance(error, ResourceExhausted) and bool(error.reason))
             gave_up = not passes or time.monotonic() - lost_at > self._reconnect_s
             with self._changed:
                 self._is_over = is_over

@@ -117,6 +117,14 @@ TEST_F(RelayedConnectionTest, ClosesWhenTheServerHasAndTheClientHasItAll) {
   EXPECT_TRUE(relayed_->is_over());
 }
 
+TEST_F(RelayedConnectionTest, TellsTheClientOfAnEndThatCameWithTheLastWords) {
+  SayFrom(door_, "bye");
+  door_ = Descriptor();
+  MoveAll();
+  EXPECT_EQ(Drain(client_), 3u);
+  EXPECT_TRUE(relayed_->is_over()) << "without waiting for the time of last words";
+}
+
 TEST_F(RelayedConnectionTest, WaitsForLastWordsForAWhileOnly) {
   Fill(door_);
   door_ = Descriptor();

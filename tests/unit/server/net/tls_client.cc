@@ -130,4 +130,11 @@ bool TlsClient::Renegotiate() {
   return is_agreed;
 }
 
+void TlsClient::UpdateKeys(int count) {
+  for (int i = 0; i < count; ++i) {
+    (void)SSL_key_update(impl_->session.get(), SSL_KEY_UPDATE_NOT_REQUESTED);
+    if (SSL_do_handshake(impl_->session.get()) != 1) return;
+  }
+}
+
 }  // namespace dhpmap::testing

@@ -38,6 +38,8 @@ class TlsClient {
   std::string ReadExactly(std::size_t num_bytes);
   /// Whether the server agrees to a new handshake on this connection, or a new key.
   bool Renegotiate();
+  /// Tells the server of so many new keys, one after the other.
+  void UpdateKeys(int count);
 
  private:
   struct Impl;

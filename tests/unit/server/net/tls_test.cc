@@ -94,6 +94,17 @@ TEST_F(TlsTest, RefusesToRenegotiate) {
   EXPECT_FALSE(client.Renegotiate());
 }
 
+TEST_F(TlsTest, EndsAFloodOfNewKeys) {
+  const CertificateFiles own = Make("own");
+  OpenWith({.cert = own.cert, .key = own.key});
+  TlsClient flood(door_->port(), {.least_version = TLS1_3_VERSION});
+  ASSERT_TRUE(flood.is_connected());
+  flood.UpdateKeys(1000);
+  EXPECT_EQ(flood.Read(), "");
+  EXPECT_EQ(NumRefused(Refusal::kSilent), 0u) << "the server has ended it, and not for want of a preface";
+  EXPECT_TRUE(TlsClient(door_->port(), {}).is_connected()) << "others come in";
+}
+
 TEST_F(TlsTest, WantsHttp2AtOneDoorAndLeavesTheOtherToOldClients) {
   const CertificateFiles own = Make("own");
   OpenWith({.cert = own.cert, .key = own.key});
