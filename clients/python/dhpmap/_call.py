@@ -15,6 +15,7 @@ from dhpmap._errors import Aborted, DeadlineExceeded, Error, Unavailable, error_
 Answer = TypeVar("Answer", bound=Message)
 
 FIRST_PAUSE_S = 0.1
+CONNECT_S = 2.0  # longer than a server takes that starts anew
 MOST_PAUSE_S = 2.0
 
 
@@ -100,6 +101,12 @@ class Caller:
         except grpc.FutureTimeoutError:
             return False
         return True
+
+    def await_connection(self, pause_s: float) -> None:
+        """Pauses, then waits a while for a connection: gRPC looks every 5 s only at a channel that nobody waits for."""
+        begun = time.monotonic()
+        self.is_ready(max(pause_s, CONNECT_S))
+        time.sleep(max(0.0, begun + pause_s - time.monotonic()))
 
     def close(self) -> None:
         self._channel.close()

@@ -130,7 +130,7 @@ class FrameStream:
                 self._changed.notify_all()
                 if gave_up:
                     return
-            time.sleep(next(pause))
+            self._caller.await_connection(next(pause))
 
     def _exchange(self) -> Error | None:
         """One connection; None: all is sent and stored."""

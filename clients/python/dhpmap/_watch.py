@@ -125,7 +125,7 @@ class Watch(Iterator[Change]):
                 self.close()
                 raise got
             self._stop()
-            time.sleep(next(pause))
+            self._caller.await_connection(next(pause))
 
     def _take(self, message: pb2.WatchMapResponse) -> None:
         if message.position:
