@@ -30,9 +30,9 @@ struct GreeterOptions {
   std::size_t max_new_per_peer = 64;  ///< likewise
 };
 
-/// Waits until new connections have said what a client says: TLS's handshake, and the preface of HTTP/2, which it takes
-/// off. On a thread of its own, so that handshakes keep nobody waiting who is through with his; who says nothing costs
-/// a descriptor for a few seconds. Thread-safe.
+/// Completes the TLS handshake of new connections, then reads and removes the HTTP/2 preface. Runs on its own thread:
+/// handshakes do not delay established connections. A silent connection costs one descriptor until its deadline.
+/// Thread-safe.
 class Greeter {
  public:
   struct Events {

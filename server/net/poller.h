@@ -11,7 +11,7 @@
 
 namespace dhpmap::net {
 
-/// epoll, with a bell. What is ready is told as long as it is. Thread-compatible, but for Wake.
+/// Level-triggered epoll with a wake-up event. Thread-compatible; Wake is thread-safe.
 class Poller {
  public:
   struct Ready {

@@ -14,7 +14,7 @@ namespace {
 
 Status TooLate() { return Error(StatusCode::kDeadlineExceeded, "the answer took longer than the deadline"); }
 
-/// Whether the server has let go of what was pinned.
+/// Whether the pinned state is no longer kept by the server.
 bool IsOldPin(const Status& status) {
   return status.code == StatusCode::kFailedPrecondition &&
          std::any_of(status.violations.begin(), status.violations.end(),
