@@ -133,7 +133,8 @@ bool MayComeBack(const grpc::Status& status) {
 
 /// Goes on after the last position whenever the connection is lost, as long as it comes back in time.
 ExitCode RunWatch(const Session& session, const WatchOptions& options) {
-  const auto stub = v1::WatchService::NewStub(Connect(session));
+  const auto channel = Connect(session);
+  const auto stub = v1::WatchService::NewStub(channel);
   v1::WatchMapRequest request = RequestOf(options);
   Clock::time_point last_heard = Clock::now();
   bool was_there = false;
@@ -155,7 +156,9 @@ ExitCode RunWatch(const Session& session, const WatchOptions& options) {
     if (!was_there || !MayComeBack(status) || !is_in_time) return ReportError(session, status);
     std::cerr << "dhpmap: the connection is lost, going on after " << request.resume_after() << ": "
               << status.error_message() << "\n";
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // a server that is ending still answers
+    // gRPC looks only every 5 s at a channel that nobody waits for.
+    (void)channel->WaitForConnected(std::chrono::system_clock::now() + std::chrono::seconds(2));
   }
 }
 

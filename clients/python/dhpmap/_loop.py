@@ -46,7 +46,7 @@ class StreamSource:
                     self.close()
                 if not is_passing(error) or time.monotonic() + pause_s >= end:
                     raise
-            time.sleep(pause_s)
+            self._caller.await_connection(pause_s, end)
         raise AssertionError("unreachable")
 
     def pin(self, revision: int, deadline_s: float | None) -> int:
