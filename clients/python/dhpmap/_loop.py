@@ -46,7 +46,7 @@ class StreamSource:
                     self.close()
                 if not is_passing(error) or time.monotonic() + pause_s >= end:
                     raise
-            self._caller.await_connection(pause_s, end)
+            time.sleep(pause_s)
         raise AssertionError("unreachable")
 
     def pin(self, revision: int, deadline_s: float | None) -> int:
