@@ -20,7 +20,7 @@ async function readWhole(change: ObjectChange): Promise<ObjectChange> {
   return object && object.revision >= change.object.revision ? { ...change, object } : change;
 }
 
-const howToGetAKey = "Whoever runs the server makes one: dhpmap keys create NAME --role viewer";
+const howToGetAKey = "Who runs the server makes one by “dhpmap keys create”.";
 const lockedWhy: { readonly [reason: string]: string } = {
   KEY_EXPIRED: "Your key has expired: ask for a new one.",
   KEY_REVOKED: "Your key was revoked: ask for a new one.",
@@ -170,8 +170,9 @@ export class Session {
   }
 
   private failed(error: unknown, again: () => void): void {
-    this.store.set("link", "lost");
-    if (error instanceof ApiError && error.status === 401) {
+    const isLocked = error instanceof ApiError && error.status === 401;
+    this.store.set("link", isLocked ? "off" : "lost");
+    if (isLocked) {
       this.retry = again;
       return this.store.set("phase", { is: "locked", why: lockedWhy[error.reason] ?? howToGetAKey });
     }

@@ -4,9 +4,9 @@ import { el } from "./dom";
 
 /** Asks for a key until the server takes one. */
 export function newLoginForm(onDone: () => void): HTMLFormElement {
-  const key = el("input", { type: "password", placeholder: "dhp_…", aria: { label: "Key" } });
+  const key = el("input", { class: "search", type: "password", placeholder: "dhp_…", aria: { label: "Key" } });
   key.autocomplete = "current-password";
-  const problem = el("p", { role: "alert" });
+  const problem = el("p", { class: "said problem", role: "alert" });
   const send = el("button", { type: "submit", class: "button" }, "Open");
   const form = el("form", { class: "login" }, key, send, problem);
   form.addEventListener("submit", (event) => {
