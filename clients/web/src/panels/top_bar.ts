@@ -73,7 +73,7 @@ export class TopBar {
     store.follow(["link", "phase"], () => {
       const texts = { live: "live", lost: "link lost, trying again", off: "connecting" } as const;
       link.dataset["link"] = store.get("link");
-      link.textContent = texts[store.get("link")];
+      link.textContent = store.get("phase").is === "locked" ? "asks for a key" : texts[store.get("link")];
     });
     store.follow(["revision"], () => {
       revision.textContent = store.get("revision") > 0 ? `revision ${store.get("revision")}` : "";
