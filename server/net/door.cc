@@ -51,6 +51,11 @@ GreeterOptions GreeterOptionsOf(const DoorOptions& options) {
 }  // namespace
 
 struct Door::Impl {
+  struct Running {
+    PeerIdentity peer;
+    std::shared_ptr<PeerCounts> counts;  ///< of its peer, which counts who holds it; null: FrameLimits hold it
+  };
+
   Impl(const DoorOptions& how, std::unique_ptr<ConnectionAcceptor> listening)
       : options(how),
         refusals(how.name, how.on_refused),
@@ -70,7 +75,7 @@ struct Door::Impl {
   PeerTable peers;
   std::function<void(Passed)> take;
   mutable Mutex mutex;
-  std::unordered_map<std::uint64_t, PeerIdentity> identities DHPMAP_GUARDED_BY(mutex);
+  std::unordered_map<std::uint64_t, Running> running DHPMAP_GUARDED_BY(mutex);
   // Last, those that hand over before those that take: their threads end in this order.
   std::vector<std::unique_ptr<Relay>> relays;
   std::unique_ptr<Greeter> greeter;
@@ -89,14 +94,14 @@ void Door::Impl::PassOn(Greeted greeted) {
   const std::uint64_t number = NextNumber();
   auto pair = MakeNamedPair(number);
   if (!pair) return refusals.Note(Refusal::kOutOfDescriptors, greeted.peer);
-  {
-    const MutexLock lock(mutex);
-    identities[number] = greeted.peer;
-  }
   std::unique_ptr<FrameLimits> limits;
   if (options.protocol == Protocol::kHttp2) {
     limits = std::make_unique<FrameLimits>(std::move(greeted.counts));
     (void)::send(pair->ours.get(), kHttp2Preface.data(), kHttp2Preface.size(), 0);  // there is room: it is the first
+  }
+  {
+    const MutexLock lock(mutex);
+    running[number] = {.peer = greeted.peer, .counts = std::move(greeted.counts)};
   }
   relays[number % relays.size()]->Add(number, std::move(greeted.socket), std::move(pair->ours), std::move(limits));
   take({.socket = pair->theirs.Release(),
@@ -108,10 +113,10 @@ void Door::Impl::Ended(std::uint64_t number, Refusal why) {
   PeerIdentity peer;
   {
     const MutexLock lock(mutex);
-    const auto found = identities.find(number);
-    if (found == identities.end()) return;
-    peer = std::move(found->second);
-    identities.erase(found);
+    const auto found = running.find(number);
+    if (found == running.end()) return;
+    peer = std::move(found->second.peer);
+    running.erase(found);
   }
   if (why != Refusal::kNone) refusals.Note(why, peer);
 }
@@ -149,14 +154,14 @@ std::optional<PeerIdentity> Door::Find(std::string_view peer) const {
   const auto number = NumberOfPair(peer);
   if (!number) return std::nullopt;
   const MutexLock lock(impl_->mutex);
-  const auto found = impl_->identities.find(*number);
-  if (found == impl_->identities.end()) return std::nullopt;
-  return found->second;
+  const auto found = impl_->running.find(*number);
+  if (found == impl_->running.end()) return std::nullopt;
+  return found->second.peer;
 }
 
 std::size_t Door::num_connections() const {
   const MutexLock lock(impl_->mutex);
-  return impl_->identities.size();
+  return impl_->running.size();
 }
 
 }  // namespace dhpmap::net

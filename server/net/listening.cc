@@ -37,7 +37,12 @@ Descriptor ListenOnOne(const addrinfo& address, bool is_alone) {
   Descriptor socket(::socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (socket.get() < 0) return socket;
   Set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
-  Set(socket, IPPROTO_TCP, TCP_NODELAY, 1);  // what is accepted has it from here
+  // Accepted sockets inherit these. A peer whose machine or network is gone is found out after 25 s of silence.
+  Set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
+  Set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
+  Set(socket, IPPROTO_TCP, TCP_KEEPIDLE, 10);
+  Set(socket, IPPROTO_TCP, TCP_KEEPINTVL, 5);
+  Set(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
   if (address.ai_family == AF_INET6) {
     Set(socket, IPPROTO_IPV6, IPV6_V6ONLY, is_alone && IsForBothFamilies(address) ? 0 : 1);
   }

@@ -189,6 +189,19 @@ TEST_F(DoorTest, GivesOnePeerNotAllConnections) {
   EXPECT_TRUE(clients.back()->IsClosedByServer());
 }
 
+TEST_F(DoorTest, GivesOnePeerNotAllConnectionsOfTheRestDoorEither) {
+  OpenDoor({.max_connections = 100, .protocol = Protocol::kHttp11});
+  std::vector<std::unique_ptr<HttpClient>> clients;
+  std::vector<std::optional<Behind::Inner>> inners;
+  for (int i = 0; i < 75; ++i) {
+    clients.push_back(std::make_unique<HttpClient>(door_->port()));
+    inners.push_back(behind_.Next());
+    ASSERT_TRUE(inners.back()) << i;
+  }
+  const HttpClient beyond(door_->port());
+  EXPECT_TRUE(IsRefused(Refusal::kTooManyConnections));
+}
+
 TEST_F(DoorTest, SendsTheServersLastWordsBeforeItGoes) {
   OpenDoor({});
   HttpClient client(door_->port());
