@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 
 PASSED, FAILED, SKIPPED, NOT_RUN = "passed", "failed", "skipped", "not run"
 REPORT_OF_A_SANITIZER = re.compile(r"ERROR: (Address|Leak|UndefinedBehavior)Sanitizer|WARNING: ThreadSanitizer|: runtime error: ")
+# ThreadSanitizer has forgotten one of the two stacks, so that no suppression could match it.
+UNDECIDED = "[failed to restore the stack]"
 BEGINS = re.compile(r"\[ RUN      \] (\S+)$")
 ENDS = re.compile(r"\[(       OK |  FAILED  |  SKIPPED )\] (\S+?)(?:, where .*)? \((\d+) ms\)$")
 OF_ENDS = {"       OK ": PASSED, "  FAILED  ": FAILED, "  SKIPPED ": SKIPPED}
@@ -99,6 +101,8 @@ class PortionRun:
         else:
             if REPORT_OF_A_SANITIZER.search(line):
                 self.outcome.reports.append(self.running or self.room.name)
+            elif UNDECIDED in line and self.outcome.reports:
+                self.outcome.reports.pop()
             self._say(line)
         return True
 

@@ -6,8 +6,8 @@
 
 Portions of a room's cases run side by side. Cases that look at a clock (their suite's name ends in `Clock`) run alone, and last.
 A case that failed is run once more by itself if it looks at a clock, and so are at most two others: what passes then is
-told as unstable and is no failure. What a sanitizer reported is never run again. A crash costs the case in which it came; the
-others go on in another process. What is left at TIME (seconds since 1970) is cut off, told, and neither passed nor failed.
+told as unstable and is no failure. What a sanitizer reported is never run again, unless ThreadSanitizer has forgotten one of the
+stacks: then no suppression could match. A crash costs the case in which it came; the others go on in another process. What is left at TIME (seconds since 1970) is cut off, told, and neither passed nor failed.
 """
 import argparse
 import concurrent.futures

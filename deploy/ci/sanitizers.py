@@ -23,8 +23,10 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 KIND_OF_PRESET = {"asan": ("served", "tool"), "tsan": ("threaded",)}
 ENVIRONMENT = {
     "asan": {"ASAN_OPTIONS": "detect_leaks=1", "UBSAN_OPTIONS": "print_stacktrace=1"},
-    # Without the list of addresses that it has told of or left out: each access to one is looked up in all of it.
-    "tsan": {"TSAN_OPTIONS": f"halt_on_error=1:suppress_equal_addresses=0:suppressions={ROOT}/deploy/tsan.supp"},
+    # Without the list of addresses that it has told of or left out: each access to one is looked up in all of it. With the
+    # longest history: a suppression cannot match a stack that is forgotten.
+    "tsan": {"TSAN_OPTIONS": "halt_on_error=1:suppress_equal_addresses=0:history_size=7"
+                             f":suppressions={ROOT}/deploy/tsan.supp"},
 }
 # Faults at each call of a single thread: nothing to race with, most of storage's time, and AddressSanitizer has run them.
 EXCEPT = {"tsan": r"SqliteStoreTest\.(KilledAt|FlippedBytes)|BrokenDisk|BrokenReclaim"}

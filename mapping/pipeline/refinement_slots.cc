@@ -29,10 +29,8 @@ std::optional<RefinementSlots::Slot> RefinementSlots::Take(const std::shared_ptr
 }
 
 void RefinementSlots::GiveBack() {
-  {
-    const MutexLock lock(mutex_);
-    ++num_free_;
-  }
+  const MutexLock lock(mutex_);
+  ++num_free_;
   is_free_.NotifyOne();
 }
 

@@ -45,21 +45,17 @@ Lane::~Lane() {
 }
 
 bool Lane::TryPost(std::shared_ptr<LaneTask> task) {
-  {
-    const MutexLock lock(mutex_);
-    if (!HasRoom()) return false;
-    tasks_.push_back(std::move(task));
-  }
-  wake_.NotifyOne();
+  const MutexLock lock(mutex_);
+  if (!HasRoom()) return false;
+  tasks_.push_back(std::move(task));
+  wake_.NotifyOne();  // with the lock: once it is free, the task may run and its end destroy the lane
   return true;
 }
 
 bool Lane::TryPostLast(std::shared_ptr<LaneTask> task) {
-  {
-    const MutexLock lock(mutex_);
-    if (!HasRoom()) return false;
-    last_.push_back({.task = std::move(task), .due = Clock::now() + kLongestLast});
-  }
+  const MutexLock lock(mutex_);
+  if (!HasRoom()) return false;
+  last_.push_back({.task = std::move(task), .due = Clock::now() + kLongestLast});
   wake_.NotifyOne();
   return true;
 }
@@ -86,10 +82,8 @@ std::shared_ptr<LaneTask> Lane::TakeNext() {
 void Lane::Post(std::function<void()> work) { Post(std::make_shared<LaneTask>(std::move(work))); }
 
 void Lane::Post(std::shared_ptr<LaneTask> task) {
-  {
-    const MutexLock lock(mutex_);
-    tasks_.push_back(std::move(task));
-  }
+  const MutexLock lock(mutex_);
+  tasks_.push_back(std::move(task));
   wake_.NotifyOne();
 }
 

@@ -91,8 +91,8 @@ std::unique_ptr<PinnedSnapshots::Pin> PinnedSnapshots::TryPin(State state, OnEvi
     const MutexLock lock(mutex_);
     if (bytes_ > limit_bytes_ / 2) return nullptr;
     held_.push_back(held);
+    wake_.NotifyOne();
   }
-  wake_.NotifyOne();
   return std::unique_ptr<Pin>(new Pin(std::move(held)));
 }
 

@@ -37,6 +37,7 @@ for case in wanted:
         import signal
         signal.pause()  # no signal comes
     if does == "report": print("==1==ERROR: AddressSanitizer: heap-use-after-free")
+    if does == "forgotten": print("WARNING: ThreadSanitizer: data race\n    [failed to restore the stack]")
     ends = {"skip": "  SKIPPED ", "OK": "       OK "}.get(does, "  FAILED  ")
     failed += ends == "  FAILED  "
     print("words of " + case)
@@ -99,6 +100,13 @@ TEST_F(RunRoomsTest, WhatASanitizerReportedIsNotRunAgain) {
   MakeRoom(R"({"A.One": ["report"], "AClock.One": ["report"]})");
   EXPECT_EQ(RunRooms().LastLine(), "0 passed, 2 failed");
   EXPECT_EQ(ReadFile("runs"), "A.One\nAClock.One\n");
+}
+
+TEST_F(RunRoomsTest, AReportWithAForgottenStackIsRunAgain) {
+  MakeRoom(R"({"A.Once": ["forgotten"], "A.Twice": ["forgotten", "report"]})");
+  const Run run = RunRooms();
+  EXPECT_EQ(run.LastLine(), "1 passed, 1 failed");
+  EXPECT_TRUE(run.Says("1 unstable: failed, and passed by itself:\n  unit/a/A.Once\n")) << run.output;
 }
 
 TEST_F(RunRoomsTest, ACrashCostsTheCaseInWhichItCame) {
