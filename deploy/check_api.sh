@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Checks with programs of others what a server of the release build serves: the OpenAPI document by two validators, the
-# gRPC services by `buf curl`, which knows of them by reflection only. The last line reads `N passed, N failed`.
+# gRPC services by `buf curl`, which knows of them by reflection only, a mapped room as GLB by Khronos' validator. The
+# last line reads `N passed, N failed`.
 # Node fetches these programs, into build/api: without it, or without a registry to fetch them from, nothing is checked.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-readonly packages=(@seriousme/openapi-schema-validator@2.11.0 @apidevtools/swagger-parser@12.1.0 @bufbuild/buf@1.75.0)
+readonly packages=(@seriousme/openapi-schema-validator@2.11.0 @apidevtools/swagger-parser@12.1.0 @bufbuild/buf@1.75.0
+  gltf-validator@2.0.0-dev.3.10)
 readonly tools=$PWD/build/api/tools work=$PWD/build/api/run
 readonly bin=$tools/node_modules/.bin
 export BUF_CACHE_DIR=$PWD/build/api/cache NO_COLOR=1
@@ -29,6 +31,21 @@ fetch_tools() {
   cat >"$tools/resolve.mjs" <<'CODE'
 import parser from '@apidevtools/swagger-parser';
 await parser.validate(process.argv[2]);
+CODE
+  cat >"$tools/glb.mjs" <<'CODE'
+import fs from 'node:fs';
+import { createRequire } from 'node:module';
+const bytes = new Uint8Array(fs.readFileSync(process.argv[2]));
+const { issues } = await createRequire(import.meta.url)('gltf-validator').validateBytes(bytes, { maxIssues: 20 });
+const end = 20 + new DataView(bytes.buffer).getUint32(12, true);
+const json = JSON.parse(Buffer.from(bytes.subarray(20, end)).toString());
+const nodes = json.scenes[0].nodes.map((number) => json.nodes[number]);
+const isShare = (share) => share > 0 && share <= 1;
+const known = nodes.filter(({ extras }) => extras.class_name && isShare(extras.class_confidence));
+console.log(`${nodes.length} objects, ${known.length} of a class`);
+console.log(`${issues.numErrors} errors, ${issues.numWarnings} warnings`);
+for (const its of issues.messages) if (its.severity < 2) console.log(its.code, its.message, its.pointer);
+process.exit(issues.numErrors + issues.numWarnings > 0 || nodes.length < 3 || known.length < 3 ? 1 : 0);
 CODE
   echo "${packages[*]}" >"$tools/installed"
 }
@@ -96,6 +113,21 @@ check_calls() {
   grep -q '"code": "not_found"' <<<"$answer" || { echo "$answer"; return 1; }
 }
 
+is_glb_valid() { node "$tools/glb.mjs" "$1"; }
+
+check_glb() {
+  local dhpmap=(build/release/bin/dhpmap --server "${grpc#http://}")
+  build/release/bin/dhpmap-simulate "$work/room" --frames 20 --width 160 --height 120 --quiet || return 1
+  "${dhpmap[@]}" map "$work/room" --map room >"$work/map.log" 2>&1 || { cat "$work/map.log"; return 1; }
+  "${dhpmap[@]}" export glb room -o "$work/room.glb" || return 1
+  is_glb_valid "$work/room.glb" || return 1
+  sed 's/"componentType":5123/"componentType":5124/' "$work/room.glb" >"$work/broken.glb"
+  if is_glb_valid "$work/broken.glb" >/dev/null; then
+    echo "the validator finds nothing wrong with indices of no type"
+    return 1
+  fi
+}
+
 passed=0
 failed=0
 check() {
@@ -112,6 +144,7 @@ if fetch_tools && start_server; then
   check openapi
   check reflection
   check calls
+  check glb
 else
   failed=1
 fi

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <google/protobuf/message.h>
-#include <grpcpp/channel.h>
-#include <grpcpp/client_context.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
 #include "clients/cli/exit_code.h"
+#include "clients/cpp/calls/caller.h"
+#include "clients/cpp/calls/pages.h"
 
 namespace CLI {
 class App;
@@ -19,22 +20,23 @@ namespace dhpmap {
 /// What every command needs: where the server is, how to answer, and how it went. Filled by the command line.
 struct Session {
   std::string server = "127.0.0.1:50051";
-  std::string token;  ///< shown to the server with every call; empty: none
+  std::string token_file;  ///< with the key that is shown with every call; empty: none
   std::string ca;  ///< PEM file of who has signed the server's certificate, "system" for this system's; empty: no TLS
   bool json = false;
   ExitCode exit_code = ExitCode::kOk;
+  std::shared_ptr<client::Caller> caller;  ///< after Open
 };
 
-/// A channel without a limit on what it receives. Connects on the first call. Over TLS where session.ca says so; a file
-/// that cannot be read is told as such, and nothing is trusted.
-std::shared_ptr<grpc::Channel> Connect(const Session& session);
+/// Makes session.caller, without a look at the server. InvalidArgument with a violation of "token", "token_file" or
+/// "ca_file".
+client::Status Open(Session& session);
 
 /// "kitchen" and "maps/kitchen" -> "maps/kitchen".
 std::string MapName(const std::string& map);
 std::string SubmapName(const std::string& map, std::int64_t id);
 
 /// Prints "dhpmap: NOT_FOUND: message" with details and hints to stderr; returns the exit code.
-ExitCode ReportError(const Session& session, const grpc::Status& status);
+ExitCode ReportError(const Session& session, const client::Status& status);
 /// The same for something that went wrong here.
 ExitCode ReportLocalError(const std::string& message, ExitCode code = ExitCode::kLocalFile);
 
@@ -42,6 +44,30 @@ ExitCode ReportLocalError(const std::string& message, ExitCode code = ExitCode::
 void PrintJson(const google::protobuf::Message& message);
 /// The same on one line, for streams.
 void PrintJsonLine(const google::protobuf::Message& message);
+
+/// The answer to a request, such as Ask(session, &v1::MapService::Stub::GetMap, request). Sent once: who waits at a
+/// terminal is told at once that there is no server.
+template <typename Stub, typename Request, typename Response>
+client::Result<Response> Ask(const Session& session,
+                             grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                             const Request& request) {
+  return session.caller->Call(method, request, 0, client::Again::kNo);
+}
+/// All pages of a list, put together.
+template <typename Stub, typename Request, typename Response>
+client::Result<Response> AskForAll(const Session& session,
+                                   grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                                   const Request& request) {
+  return client::ReadAllPages(*session.caller, method, request, client::Again::kNo);
+}
+/// Prints an answer, as JSON or by `print(answer)`, or why there is none.
+template <typename Response, typename Print>
+ExitCode Tell(const Session& session, const client::Result<Response>& answer, Print print) {
+  if (!answer.ok()) return ReportError(session, answer.status());
+  if (session.json) PrintJson(*answer);
+  else print(*answer);
+  return ExitCode::kOk;
+}
 
 // Each adds its subcommands; when one is chosen it runs and sets session.exit_code.
 void AddMapCommand(CLI::App& app, Session& session);

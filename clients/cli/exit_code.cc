@@ -3,18 +3,18 @@
 
 namespace dhpmap {
 
-ExitCode ExitCodeOf(grpc::StatusCode code) {
+ExitCode ExitCodeOf(client::StatusCode code) {
   switch (code) {
-    case grpc::StatusCode::OK: return ExitCode::kOk;
-    case grpc::StatusCode::INVALID_ARGUMENT:
-    case grpc::StatusCode::OUT_OF_RANGE:
-    case grpc::StatusCode::FAILED_PRECONDITION:
-    case grpc::StatusCode::UNIMPLEMENTED: return ExitCode::kBadRequest;
-    case grpc::StatusCode::NOT_FOUND: return ExitCode::kNotFound;
-    case grpc::StatusCode::ALREADY_EXISTS:
-    case grpc::StatusCode::ABORTED: return ExitCode::kConflict;
-    case grpc::StatusCode::UNAVAILABLE:
-    case grpc::StatusCode::DEADLINE_EXCEEDED: return ExitCode::kUnreachable;
+    case client::StatusCode::kOk: return ExitCode::kOk;
+    case client::StatusCode::kInvalidArgument:
+    case client::StatusCode::kOutOfRange:
+    case client::StatusCode::kFailedPrecondition:
+    case client::StatusCode::kUnimplemented: return ExitCode::kBadRequest;
+    case client::StatusCode::kNotFound: return ExitCode::kNotFound;
+    case client::StatusCode::kAlreadyExists:
+    case client::StatusCode::kAborted: return ExitCode::kConflict;
+    case client::StatusCode::kUnavailable:
+    case client::StatusCode::kDeadlineExceeded: return ExitCode::kUnreachable;
     default: return ExitCode::kServerFailed;
   }
 }

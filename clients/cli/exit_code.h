@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <grpcpp/support/status.h>
+#include "dhpmap/status.h"
 
 namespace dhpmap {
 
@@ -19,7 +19,7 @@ enum class ExitCode : int {
   kInterrupted = 130,
 };
 
-ExitCode ExitCodeOf(grpc::StatusCode code);
+ExitCode ExitCodeOf(client::StatusCode code);
 
 /// The table above as text for --help.
 const char* ExitCodeHelp();

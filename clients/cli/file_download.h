@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <grpcpp/support/sync_stream.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,12 +22,12 @@ inline std::string MegabytesASecond(std::int64_t num_bytes, double elapsed_s) {
 /// once all of it has come. `on_part(part)` sees each. Says how far it is, and why not, on standard error; `what`:
 /// "mesh".
 template <typename Part, typename OnPart>
-ExitCode Download(const Session& session, grpc::ClientReaderInterface<Part>& stream, const std::string& what,
-                  OutputFile& file, OnPart on_part) {
+ExitCode Download(const Session& session, client::Parts<Part>& parts, const std::string& what, OutputFile& file,
+                  OnPart on_part) {
   Part part;
   std::int64_t total_bytes = 0;
   std::optional<ProgressBar> progress;
-  while (stream.Read(&part)) {
+  while (parts.Next(part)) {
     total_bytes = std::max(total_bytes, part.total_bytes());
     file.Write(part.data());
     on_part(part);
@@ -38,8 +36,7 @@ ExitCode Download(const Session& session, grpc::ClientReaderInterface<Part>& str
                    MegabytesASecond(file.num_bytes(), progress->elapsed_s()));
   }
   progress.reset();
-  const grpc::Status status = stream.Finish();
-  if (!status.ok()) return ReportError(session, status);
+  if (const client::Status status = parts.Finish(); !status.ok()) return ReportError(session, status);
   if (file.num_bytes() != total_bytes) {
     return ReportLocalError("the " + what + " came in short: " + std::to_string(file.num_bytes()) + " of " +
                                 std::to_string(total_bytes) + " bytes",

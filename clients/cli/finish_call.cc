@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/cli/finish_call.h"
 
-#include <grpcpp/client_context.h>
-
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -13,8 +11,7 @@
 
 #include "clients/cli/text_table.h"
 #include "clients/command_line/terminal_line.h"
-#include "dhpmap/v1/mapping_service.grpc.pb.h"
-#include "dhpmap/v1/watch_service.grpc.pb.h"
+#include "clients/cpp/calls/error.h"
 
 namespace dhpmap {
 namespace {
@@ -33,16 +30,18 @@ void OnFinishInterrupt(int) {
 /// Reads what WatchMap says of a map that is being finished, until the end of its life.
 class FinishWatch {
  public:
-  FinishWatch(const std::shared_ptr<grpc::Channel>& channel, const std::string& map,
+  FinishWatch(client::Caller& caller, const std::string& map,
               std::function<void(const v1::FinishProgress&)> on_progress)
-      : stub_(v1::WatchService::NewStub(channel)), on_progress_(std::move(on_progress)) {
-    request_.set_map(map);
-    request_.set_progress_interval_s(0.5);
+      : on_progress_(std::move(on_progress)) {
+    v1::WatchMapRequest request;
+    request.set_map(map);
+    request.set_progress_interval_s(0.5);
+    messages_ = caller.Read(&v1::WatchService::Stub::WatchMap, request);
     thread_ = std::thread([this] { Read(); });
     begun_.get_future().wait_for(kWatchBegins);
   }
   ~FinishWatch() {
-    context_.TryCancel();
+    messages_->Cancel();
     thread_.join();
   }
   FinishWatch(const FinishWatch&) = delete;
@@ -50,22 +49,18 @@ class FinishWatch {
 
  private:
   void Read() {
-    const auto stream = stub_->WatchMap(&context_, request_);
     v1::WatchMapResponse message;
     bool has_begun = false;
-    while (stream->Read(&message)) {
+    while (messages_->Next(message)) {
       if (!has_begun) begun_.set_value();
       has_begun = true;
       if (message.progress().has_finishing()) on_progress_(message.progress().finishing());
     }
     if (!has_begun) begun_.set_value();
-    (void)stream->Finish();
   }
 
-  const std::unique_ptr<v1::WatchService::Stub> stub_;
   const std::function<void(const v1::FinishProgress&)> on_progress_;
-  v1::WatchMapRequest request_;
-  grpc::ClientContext context_;
+  std::unique_ptr<client::Parts<v1::WatchMapResponse>> messages_;
   std::promise<void> begun_;
   std::thread thread_;
 };
@@ -81,23 +76,27 @@ const char* TextOf(v1::FinishProgress::Stage stage) {
 
 }  // namespace
 
-grpc::Status CallFinish(const std::shared_ptr<grpc::Channel>& channel, const std::string& map,
-                        const FinishListener& listener, v1::FinishMappingResponse& response) {
+client::Result<v1::FinishMappingResponse> CallFinish(client::Caller& caller, const std::string& map,
+                                                     const FinishListener& listener) {
   std::optional<FinishWatch> watch;
-  if (listener.on_progress) watch.emplace(channel, map, listener.on_progress);
-  const auto stub = v1::MappingService::NewStub(channel);
+  if (listener.on_progress) watch.emplace(caller, map, listener.on_progress);
   grpc::ClientContext context;
+  caller.Introduce(context);
   v1::FinishMappingRequest request;
   request.set_map(map);
-  auto call = std::async(std::launch::async, [&] { return stub->FinishMapping(&context, request, &response); });
+  v1::FinishMappingResponse response;
+  auto call = std::async(std::launch::async, [&] {
+    return caller.stub<v1::MappingService::Stub>().FinishMapping(&context, request, &response);
+  });
   while (call.wait_for(kLookAgain) != std::future_status::ready) {
     if (listener.is_interrupted && listener.is_interrupted()) context.TryCancel();
   }
-  return call.get();
+  client::Status status = caller.StatusOf(call.get());
+  if (!status.ok()) return status;
+  return response;
 }
 
-grpc::Status FinishAndTell(const std::shared_ptr<grpc::Channel>& channel, const std::string& map,
-                           v1::FinishMappingResponse& response) {
+client::Result<v1::FinishMappingResponse> FinishAndTell(client::Caller& caller, const std::string& map) {
   g_is_finish_interrupted = false;
   const auto handler_before = std::signal(SIGINT, OnFinishInterrupt);
   std::atomic<v1::FinishProgress::Stage> told = v1::FinishProgress::STAGE_UNSPECIFIED;
@@ -111,15 +110,17 @@ grpc::Status FinishAndTell(const std::shared_ptr<grpc::Channel>& channel, const 
                                       if (is_new && !line.is_terminal()) std::cerr << text << "\n";
                                     },
                                 .is_interrupted = [] { return g_is_finish_interrupted.load(); }};
-  const grpc::Status status = CallFinish(channel, map, listener, response);
+  client::Result<v1::FinishMappingResponse> finished = CallFinish(caller, map, listener);
   line.Clear();
   std::signal(SIGINT, handler_before);
-  if (status.error_code() != grpc::StatusCode::CANCELLED) return status;
-  if (!g_is_finish_interrupted) return {grpc::StatusCode::UNAVAILABLE, status.error_message()};
+  if (finished.status().code != client::StatusCode::kCancelled) return finished;
+  if (!g_is_finish_interrupted) {
+    return client::Error(client::StatusCode::kUnavailable, finished.status().message);
+  }
   const bool is_too_late = told == v1::FinishProgress::STORING;
   std::cerr << "dhpmap: interrupted: " << map
             << (is_too_late ? " was being stored already, and is finished\n" : " is as it was before\n");
-  return status;
+  return finished;
 }
 
 }  // namespace dhpmap

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <grpcpp/channel.h>
-#include <grpcpp/support/status.h>
-
 #include <functional>
-#include <memory>
 #include <string>
 
+#include "clients/cpp/calls/caller.h"
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/watch_service.pb.h"
 
@@ -23,12 +20,11 @@ struct FinishListener {
 
 /// FinishMapping of "maps/kitchen". CANCELLED if it was interrupted: the map is as it was, unless it was being stored
 /// already. What is told of it comes from WatchMap; where that is refused, nothing is told.
-grpc::Status CallFinish(const std::shared_ptr<grpc::Channel>& channel, const std::string& map,
-                        const FinishListener& listener, v1::FinishMappingResponse& response);
+client::Result<v1::FinishMappingResponse> CallFinish(client::Caller& caller, const std::string& map,
+                                                     const FinishListener& listener);
 
 /// The same, told on stderr, in one line of a terminal or else a line for each stage, and cancelled by the first
 /// Ctrl-C, which it tells, too; the second one ends the program. CANCELLED for nothing else.
-grpc::Status FinishAndTell(const std::shared_ptr<grpc::Channel>& channel, const std::string& map,
-                           v1::FinishMappingResponse& response);
+client::Result<v1::FinishMappingResponse> FinishAndTell(client::Caller& caller, const std::string& map);
 
 }  // namespace dhpmap

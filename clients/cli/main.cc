@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "clients/cli/connection.h"
-#include "clients/cli/token.h"
 #include "clients/command_line/typos.h"
 #include "clients/command_line/version.h"
 
@@ -28,6 +27,20 @@ std::vector<std::string> Arguments(int argc, char** argv) {
   return arguments;
 }
 
+/// For main, which knows the exit code of each.
+void OpenOrThrow(dhpmap::Session& session) {
+  const dhpmap::client::Status status = dhpmap::Open(session);
+  if (status.ok()) return;
+  const dhpmap::client::FieldViolation& wrong = status.violations.at(0);
+  if (wrong.field == "token") {
+    throw CLI::ValidationError("--token-file",
+                               "the key would go to " + session.server + " in the clear: say whom to trust with --ca");
+  }
+  if (wrong.field != "ca_file") throw CLI::ValidationError("--token-file", wrong.description);
+  dhpmap::ReportLocalError("--ca: " + wrong.description + ", so that no server is trusted");
+  throw CLI::RuntimeError(static_cast<int>(dhpmap::ExitCode::kUnreachable));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -42,20 +55,8 @@ int main(int argc, char** argv) {
   app.add_option("--server", session.server, "Address of the server's gRPC door")
       ->envname("DHPMAP_SERVER")
       ->capture_default_str();
-  app.add_option_function<std::string>(
-         "--token-file",
-         [&session](const std::string& path) {
-           auto token = dhpmap::ReadTokenFile(path);
-           if (!token.ok()) throw CLI::ValidationError("--token-file", token.status().message());
-           session.token = *std::move(token);
-         },
-         "File with your key, of mode 600")
-      ->type_name("FILE");
-  app.parse_complete_callback([&session] {
-    if (session.token.empty() || !session.ca.empty() || dhpmap::StaysOnThisMachine(session.server)) return;
-    throw CLI::ValidationError("--token-file",
-                               "the key would go to " + session.server + " in the clear: say whom to trust with --ca");
-  });
+  app.add_option("--token-file", session.token_file, "File with your key, of mode 600")->type_name("FILE");
+  app.parse_complete_callback([&session] { OpenOrThrow(session); });
   app.add_option("--ca", session.ca,
                  "PEM file of who signed the server's certificate, or 'system' for those this system trusts: with TLS")
       ->type_name("FILE");
@@ -79,6 +80,8 @@ int main(int argc, char** argv) {
   dhpmap::AddCompletionCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));
+  } catch (const CLI::RuntimeError& error) {
+    return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
   }

@@ -50,36 +50,29 @@ Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset
   return request;
 }
 
-grpc::Status GetMap(const std::shared_ptr<grpc::Channel>& channel, const std::string& name, v1::Map& map,
-                    std::int64_t read_revision) {
-  grpc::ClientContext context;
+client::Result<v1::Map> GetMap(const Session& session, const std::string& name, std::int64_t read_revision) {
   v1::GetMapRequest request;
   request.set_name(MapName(name));
   request.set_read_revision(read_revision);
-  v1::GetMapResponse response;
-  const grpc::Status status = v1::MapService::NewStub(channel)->GetMap(&context, request, &response);
-  map = response.map();
-  return status;
+  auto response = Ask(session, &v1::MapService::Stub::GetMap, request);
+  if (!response.ok()) return response.status();
+  return std::move(*response->mutable_map());
 }
 
-ExitCode EnsureMap(const Session& session, const std::shared_ptr<grpc::Channel>& channel, const NewMap& map,
-                   const Dataset& dataset) {
+ExitCode EnsureMap(const Session& session, const NewMap& map, const Dataset& dataset) {
   const auto request = ToRequest(map, &dataset);
   if (!request.ok()) return ReportLocalError(request.status().message(), ExitCode::kUsage);
-  v1::Map existing;
-  const grpc::Status status = GetMap(channel, map.name, existing);
-  if (status.error_code() == grpc::StatusCode::NOT_FOUND) {
-    grpc::ClientContext context;
-    v1::CreateMapResponse response;
-    const grpc::Status created = v1::MapService::NewStub(channel)->CreateMap(&context, *request, &response);
-    return created.ok() ? ExitCode::kOk : ReportError(session, created);
+  const auto existing = GetMap(session, map.name);
+  if (existing.status().code == client::StatusCode::kNotFound) {
+    const auto created = Ask(session, &v1::MapService::Stub::CreateMap, *request);
+    return created.ok() ? ExitCode::kOk : ReportError(session, created.status());
   }
-  if (!status.ok()) return ReportError(session, status);
+  if (!existing.ok()) return ReportError(session, existing.status());
   if (!map.settings.empty() || !map.preset.empty()) {
     return ReportLocalError(MapName(map.name) + " is there already: --preset and --set are for new maps",
                             ExitCode::kUsage);
   }
-  const Status classes = CheckClasses(existing, dataset);
+  const Status classes = CheckClasses(*existing, dataset);
   return classes.ok() ? ExitCode::kOk : ReportLocalError(classes.message(), ExitCode::kBadRequest);
 }
 

@@ -25,11 +25,9 @@ void AddNewMapOptions(CLI::App& command, NewMap& map);
 Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset);
 
 /// `read_revision`: as it was at that revision; 0: as it is.
-grpc::Status GetMap(const std::shared_ptr<grpc::Channel>& channel, const std::string& name, v1::Map& map,
-                    std::int64_t read_revision = 0);
+client::Result<v1::Map> GetMap(const Session& session, const std::string& name, std::int64_t read_revision = 0);
 
 /// Creates the map unless it is there. A map that is there must have the data set's classes, and cannot be configured.
-ExitCode EnsureMap(const Session& session, const std::shared_ptr<grpc::Channel>& channel, const NewMap& map,
-                   const Dataset& dataset);
+ExitCode EnsureMap(const Session& session, const NewMap& map, const Dataset& dataset);
 
 }  // namespace dhpmap

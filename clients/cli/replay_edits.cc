@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "clients/cpp/calls/error.h"
+
 namespace dhpmap {
 namespace {
 
@@ -29,31 +31,30 @@ bool IsOfItsTime(const FieldDescriptor& field) {
 
 }  // namespace
 
-/// How to make edits of one RPC; the answer's revision.
+/// How to make edits of one RPC: the answer's revision.
 struct ReplayEdits::Method {
-  std::function<grpc::Status(ReplayEdits&, const std::string& request, std::int64_t& revision)> make;
+  std::function<client::Result<std::int64_t>(ReplayEdits&, const std::string& request)> make;
 };
 
 template <typename Request, typename Response, typename Stub>
-ReplayEdits::Method ReplayEdits::MethodOf(std::unique_ptr<Stub> ReplayEdits::*stub,
-                                          grpc::Status (Stub::*call)(grpc::ClientContext*, const Request&, Response*)) {
-  return {[stub, call](ReplayEdits& self, const std::string& bytes, std::int64_t& revision) -> grpc::Status {
+ReplayEdits::Method ReplayEdits::MethodOf(grpc::Status (Stub::*call)(grpc::ClientContext*, const Request&, Response*)) {
+  return {[call](ReplayEdits& self, const std::string& bytes) -> client::Result<std::int64_t> {
     Request request;
-    if (!request.ParseFromString(bytes)) return {grpc::StatusCode::DATA_LOSS, "a recorded edit is no request"};
+    if (!request.ParseFromString(bytes)) {
+      return client::Error(client::StatusCode::kDataLoss, "a recorded edit is no request");
+    }
     self.Translate(request);
     if constexpr (std::is_same_v<Request, v1::RestoreRevisionRequest>) {
       const std::int64_t here = self.RevisionHere(request.revision());
       if (here == 0) {
-        return {grpc::StatusCode::FAILED_PRECONDITION,
-                "the record does not tell which state revision " + std::to_string(request.revision()) + " was"};
+        return client::Error(client::StatusCode::kFailedPrecondition, "the record does not tell which state revision " +
+                                                                          std::to_string(request.revision()) + " was");
       }
       request.set_revision(here);
     }
-    grpc::ClientContext context;
-    Response response;
-    const grpc::Status status = ((*(self.*stub)).*call)(&context, request, &response);
-    revision = response.revision();
-    return status;
+    const auto response = self.caller_->Call(call, request, 0, client::Again::kNo);
+    if (!response.ok()) return response.status();
+    return response->revision();
   }};
 }
 
@@ -61,36 +62,31 @@ const std::map<std::string, ReplayEdits::Method>& ReplayEdits::Methods() {
   using Edits = v1::EditService::Stub;
   using Submaps = v1::SubmapService::Stub;
   static const std::map<std::string, Method> methods = {
-      {"EditService/ApplyEdits", MethodOf(&ReplayEdits::edits_, &Edits::ApplyEdits)},
-      {"EditService/UndoEdits", MethodOf(&ReplayEdits::edits_, &Edits::UndoEdits)},
-      {"EditService/RedoEdits", MethodOf(&ReplayEdits::edits_, &Edits::RedoEdits)},
-      {"EditService/RestoreRevision", MethodOf(&ReplayEdits::edits_, &Edits::RestoreRevision)},
-      {"SubmapService/UpdateSubmap", MethodOf(&ReplayEdits::submaps_, &Submaps::UpdateSubmap)},
-      {"SubmapService/CloneSubmap", MethodOf(&ReplayEdits::submaps_, &Submaps::CloneSubmap)},
-      {"SubmapService/DeleteSubmap", MethodOf(&ReplayEdits::submaps_, &Submaps::DeleteSubmap)},
-      {"SubmapService/UndeleteSubmap", MethodOf(&ReplayEdits::submaps_, &Submaps::UndeleteSubmap)},
-      {"MapService/UpdateMap", MethodOf(&ReplayEdits::maps_, &v1::MapService::Stub::UpdateMap)}};
+      {"EditService/ApplyEdits", MethodOf(&Edits::ApplyEdits)},
+      {"EditService/UndoEdits", MethodOf(&Edits::UndoEdits)},
+      {"EditService/RedoEdits", MethodOf(&Edits::RedoEdits)},
+      {"EditService/RestoreRevision", MethodOf(&Edits::RestoreRevision)},
+      {"SubmapService/UpdateSubmap", MethodOf(&Submaps::UpdateSubmap)},
+      {"SubmapService/CloneSubmap", MethodOf(&Submaps::CloneSubmap)},
+      {"SubmapService/DeleteSubmap", MethodOf(&Submaps::DeleteSubmap)},
+      {"SubmapService/UndeleteSubmap", MethodOf(&Submaps::UndeleteSubmap)},
+      {"MapService/UpdateMap", MethodOf(&v1::MapService::Stub::UpdateMap)}};
   return methods;
 }
 
-ReplayEdits::ReplayEdits(const std::shared_ptr<grpc::Channel>& channel, std::string recorded_map, std::string map)
-    : recorded_map_(std::move(recorded_map)),
-      map_(std::move(map)),
-      edits_(v1::EditService::NewStub(channel)),
-      submaps_(v1::SubmapService::NewStub(channel)),
-      maps_(v1::MapService::NewStub(channel)) {}
+ReplayEdits::ReplayEdits(std::shared_ptr<client::Caller> caller, std::string recorded_map, std::string map)
+    : caller_(std::move(caller)), recorded_map_(std::move(recorded_map)), map_(std::move(map)) {}
 
 bool ReplayEdits::Knows(const v1::RecordedEdit& edit) { return Methods().contains(edit.method()); }
 
-grpc::Status ReplayEdits::Make(const v1::RecordedEdit& edit) {
-  std::int64_t revision = 0;
-  grpc::Status status = Methods().at(edit.method()).make(*this, edit.request(), revision);
-  if (status.ok()) revisions_[edit.revision()] = revision;
-  return status;
+client::Status ReplayEdits::Make(const v1::RecordedEdit& edit) {
+  const auto revision = Methods().at(edit.method()).make(*this, edit.request());
+  if (revision.ok()) revisions_[edit.revision()] = *revision;
+  return revision.status();
 }
 
-grpc::Status ReplayEdits::KeepClear(const v1::RecordStart& start) {
-  if (start.ignored_regions().empty()) return grpc::Status::OK;
+client::Status ReplayEdits::KeepClear(const v1::RecordStart& start) {
+  if (start.ignored_regions().empty()) return {};
   v1::ApplyEditsRequest request;
   request.set_map(map_);
   for (const v1::IgnoredRegion& region : start.ignored_regions()) {
@@ -99,9 +95,7 @@ grpc::Status ReplayEdits::KeepClear(const v1::RecordStart& start) {
     if (region.has_box()) *keep.mutable_box() = region.box();
     else *keep.mutable_sphere() = region.sphere();
   }
-  grpc::ClientContext context;
-  v1::ApplyEditsResponse response;
-  return edits_->ApplyEdits(&context, request, &response);
+  return caller_->Call(&v1::EditService::Stub::ApplyEdits, request, 0, client::Again::kNo).status();
 }
 
 /// Of the states between frames a record tells those that an edit has made, and those that one met.

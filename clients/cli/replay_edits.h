@@ -2,19 +2,14 @@
 #pragma once
 
 #include <google/protobuf/message.h>
-#include <grpcpp/channel.h>
-#include <grpcpp/client_context.h>
-#include <grpcpp/support/status.h>
 
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
 
-#include "dhpmap/v1/edit_service.grpc.pb.h"
-#include "dhpmap/v1/map_service.grpc.pb.h"
+#include "clients/cpp/calls/caller.h"
 #include "dhpmap/v1/record.pb.h"
-#include "dhpmap/v1/submap_service.grpc.pb.h"
 
 namespace dhpmap {
 
@@ -24,30 +19,27 @@ namespace dhpmap {
 class ReplayEdits {
  public:
   /// Names as "maps/kitchen".
-  ReplayEdits(const std::shared_ptr<grpc::Channel>& channel, std::string recorded_map, std::string map);
+  ReplayEdits(std::shared_ptr<client::Caller> caller, std::string recorded_map, std::string map);
 
   /// Whether the record says how it was made, by a request that this version knows.
   [[nodiscard]] static bool Knows(const v1::RecordedEdit& edit);
   /// Of one that it knows; what the server says of it. DATA_LOSS for a request that cannot be read; FAILED_PRECONDITION
   /// for one that goes back to a state which no edit of the record has made, or met.
-  grpc::Status Make(const v1::RecordedEdit& edit);
+  client::Status Make(const v1::RecordedEdit& edit);
   /// What was kept clear when the record began.
-  grpc::Status KeepClear(const v1::RecordStart& start);
+  client::Status KeepClear(const v1::RecordStart& start);
 
  private:
   struct Method;
   static const std::map<std::string, Method>& Methods();
   template <typename Request, typename Response, typename Stub>
-  static Method MethodOf(std::unique_ptr<Stub> ReplayEdits::*stub,
-                         grpc::Status (Stub::*call)(grpc::ClientContext*, const Request&, Response*));
+  static Method MethodOf(grpc::Status (Stub::*call)(grpc::ClientContext*, const Request&, Response*));
   void Translate(google::protobuf::Message& request) const;
   [[nodiscard]] std::int64_t RevisionHere(std::int64_t recorded) const;  ///< 0: not known
   [[nodiscard]] std::string Translated(const std::string& name) const;
 
+  const std::shared_ptr<client::Caller> caller_;
   const std::string recorded_map_, map_;
-  std::unique_ptr<v1::EditService::Stub> edits_;
-  std::unique_ptr<v1::SubmapService::Stub> submaps_;
-  std::unique_ptr<v1::MapService::Stub> maps_;
   std::map<std::int64_t, std::int64_t> revisions_;  ///< here, of those that the record has
 };
 

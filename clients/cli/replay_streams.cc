@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "clients/cpp/calls/error.h"
+
 namespace dhpmap {
 namespace {
 
@@ -14,8 +16,8 @@ constexpr std::size_t kMaxStreams = 8;
 
 }  // namespace
 
-ReplayStreams::ReplayStreams(v1::MappingService::Stub& stub, std::string map, OnAnswer on_answer)
-    : stub_(stub), map_(std::move(map)), on_answer_(std::move(on_answer)) {}
+ReplayStreams::ReplayStreams(std::shared_ptr<client::Caller> caller, std::string map, OnAnswer on_answer)
+    : caller_(std::move(caller)), map_(std::move(map)), on_answer_(std::move(on_answer)) {}
 
 ReplayStreams::~ReplayStreams() {
   for (auto& [session, stream] : streams_) {
@@ -24,17 +26,18 @@ ReplayStreams::~ReplayStreams() {
   }
 }
 
-grpc::Status ReplayStreams::Send(const std::string& session, std::int64_t sequence,
-                                 v1::IntegrateFramesRequest request) {
+client::Status ReplayStreams::Send(const std::string& session, std::int64_t sequence,
+                                   v1::IntegrateFramesRequest request) {
   const auto found = streams_.find(session);
   if (found == streams_.end() || found->second.get() != last_) {
-    if (grpc::Status status = Drain(); !status.ok()) return status;
+    if (client::Status status = Drain(); !status.ok()) return status;
   }
   const bool is_new = found == streams_.end();
   if (is_new) {
-    if (grpc::Status status = MakeRoomFor(session); !status.ok()) return status;
+    if (client::Status status = MakeRoomFor(session); !status.ok()) return status;
     auto stream = std::make_unique<Stream>();
-    stream->calls = stub_.IntegrateFrames(&stream->context);
+    caller_->Introduce(stream->context);
+    stream->calls = caller_->stub<v1::MappingService::Stub>().IntegrateFrames(&stream->context);
     streams_.emplace(session, std::move(stream));
   }
   Stream& stream = *streams_.at(session);
@@ -48,36 +51,38 @@ grpc::Status ReplayStreams::Send(const std::string& session, std::int64_t sequen
   ++stream.num_unanswered;
   if (!stream.calls->Write(request)) return Hear(stream);  // it has ended, and says why
   while (stream.num_unanswered >= kMaxUnanswered) {
-    if (grpc::Status status = Hear(stream); !status.ok()) return status;
+    if (client::Status status = Hear(stream); !status.ok()) return status;
   }
-  return grpc::Status::OK;
+  return {};
 }
 
-grpc::Status ReplayStreams::Hear(Stream& stream) {
+client::Status ReplayStreams::Hear(Stream& stream) {
   v1::IntegrateFramesResponse answer;
   while (stream.calls->Read(&answer)) {
     if (answer.outcome() == v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) continue;
     --stream.num_unanswered;
     on_answer_(answer);
-    return grpc::Status::OK;
+    return {};
   }
-  grpc::Status status = stream.calls->Finish();
+  client::Status status = caller_->StatusOf(stream.calls->Finish());
   const auto is_it = [&stream](const auto& entry) { return entry.second.get() == &stream; };
   if (last_ == &stream) last_ = nullptr;
   streams_.erase(std::find_if(streams_.begin(), streams_.end(), is_it));
-  if (status.ok()) status = {grpc::StatusCode::INTERNAL, "the server has ended the stream before its last answer"};
+  if (status.ok()) {
+    status = client::Error(client::StatusCode::kInternal, "the server has ended the stream before its last answer");
+  }
   return status;
 }
 
-grpc::Status ReplayStreams::Drain() {
+client::Status ReplayStreams::Drain() {
   while (last_ != nullptr && last_->num_unanswered > 0) {
-    if (grpc::Status status = Hear(*last_); !status.ok()) return status;
+    if (client::Status status = Hear(*last_); !status.ok()) return status;
   }
-  return grpc::Status::OK;
+  return {};
 }
 
 /// One without a name is alone; of others the longest unused go.
-grpc::Status ReplayStreams::MakeRoomFor(const std::string& session) {
+client::Status ReplayStreams::MakeRoomFor(const std::string& session) {
   std::vector<std::string> in_the_way;
   for (const auto& [name, stream] : streams_) {
     if (name.empty() || session.empty()) in_the_way.push_back(name);
@@ -89,12 +94,12 @@ grpc::Status ReplayStreams::MakeRoomFor(const std::string& session) {
     in_the_way.push_back(oldest->first);
   }
   for (const std::string& name : in_the_way) {
-    if (grpc::Status status = CloseOne(name); !status.ok()) return status;
+    if (client::Status status = CloseOne(name); !status.ok()) return status;
   }
-  return grpc::Status::OK;
+  return {};
 }
 
-grpc::Status ReplayStreams::CloseOne(const std::string& session) {
+client::Status ReplayStreams::CloseOne(const std::string& session) {
   const auto stream = std::move(streams_.extract(session).mapped());
   if (last_ == stream.get()) last_ = nullptr;
   stream->calls->WritesDone();
@@ -102,11 +107,11 @@ grpc::Status ReplayStreams::CloseOne(const std::string& session) {
   while (stream->calls->Read(&answer)) {
     if (answer.outcome() != v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) on_answer_(answer);
   }
-  return stream->calls->Finish();
+  return caller_->StatusOf(stream->calls->Finish());
 }
 
-grpc::Status ReplayStreams::Close() {
-  grpc::Status status = Drain();
+client::Status ReplayStreams::Close() {
+  client::Status status = Drain();
   while (status.ok() && !streams_.empty()) status = CloseOne(streams_.begin()->first);
   return status;
 }

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <grpcpp/grpcpp.h>
-
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
 
-#include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "clients/cpp/calls/caller.h"
 
 namespace dhpmap {
 
@@ -20,15 +18,15 @@ class ReplayStreams {
   using OnAnswer = std::function<void(const v1::IntegrateFramesResponse&)>;
 
   /// `on_answer`: for each frame, in order.
-  ReplayStreams(v1::MappingService::Stub& stub, std::string map, OnAnswer on_answer);
+  ReplayStreams(std::shared_ptr<client::Caller> caller, std::string map, OnAnswer on_answer);
   ~ReplayStreams();
 
   /// OK, or why a stream has ended.
-  grpc::Status Send(const std::string& session, std::int64_t sequence, v1::IntegrateFramesRequest request);
+  client::Status Send(const std::string& session, std::int64_t sequence, v1::IntegrateFramesRequest request);
   /// Waits until everything sent is answered.
-  grpc::Status Drain();
+  client::Status Drain();
   /// Drain; then ends all streams, so that everything is stored.
-  grpc::Status Close();
+  client::Status Close();
 
  private:
   struct Stream {
@@ -38,11 +36,11 @@ class ReplayStreams {
     std::int64_t last_used = 0;
   };
 
-  grpc::Status Hear(Stream& stream);
-  grpc::Status MakeRoomFor(const std::string& session);
-  grpc::Status CloseOne(const std::string& session);
+  client::Status Hear(Stream& stream);
+  client::Status MakeRoomFor(const std::string& session);
+  client::Status CloseOne(const std::string& session);
 
-  v1::MappingService::Stub& stub_;
+  const std::shared_ptr<client::Caller> caller_;
   const std::string map_;
   const OnAnswer on_answer_;
   std::map<std::string, std::unique_ptr<Stream>> streams_;  ///< by session

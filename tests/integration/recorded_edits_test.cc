@@ -127,10 +127,11 @@ class RecordedEdits : public ::testing::Test {
   /// Feeds the record into the map, which is there, and makes its edits.
   void ReplayInto(TestServer& server, const std::string& map_id) {
     RecordReader reader = Reader();
-    ReplayStreams streams(*server.mapping, "maps/" + map_id, [](const v1::IntegrateFramesResponse& answer) {
-      EXPECT_EQ(answer.outcome(), v1::IntegrateFramesResponse::FUSED) << answer.error().message();
-    });
-    ReplayEdits edits(server.channel(), reader.start().map().name(), "maps/" + map_id);
+    ReplayStreams streams(client::Caller::Over(server.channel()), "maps/" + map_id,
+                          [](const v1::IntegrateFramesResponse& answer) {
+                            EXPECT_EQ(answer.outcome(), v1::IntegrateFramesResponse::FUSED) << answer.error().message();
+                          });
+    ReplayEdits edits(client::Caller::Over(server.channel()), reader.start().map().name(), "maps/" + map_id);
     EXPECT_OK(edits.KeepClear(reader.start()));
     for (auto record = reader.Next().value(); record; record = reader.Next().value()) {
       if (record->has_frame()) {
@@ -140,7 +141,7 @@ class RecordedEdits : public ::testing::Test {
       } else if (record->has_edited()) {
         ASSERT_TRUE(ReplayEdits::Knows(record->edited())) << record->edited().method();
         ASSERT_OK(streams.Drain());
-        const grpc::Status made = edits.Make(record->edited());
+        const client::Status made = edits.Make(record->edited());
         ASSERT_OK(made) << record->edited().method();
         ++num_edits_;
       }
@@ -199,8 +200,8 @@ TEST_F(RecordedEdits, AStateThatNoEditHasMadeOrMetIsNotKnownThere) {
   edit.set_method("EditService/RestoreRevision");
   edit.set_request(restore.SerializeAsString());
   ASSERT_TRUE(ReplayEdits::Knows(edit));
-  ReplayEdits edits(server->channel(), "maps/room", "maps/again");
-  EXPECT_EQ(edits.Make(edit).error_code(), grpc::StatusCode::FAILED_PRECONDITION);
+  ReplayEdits edits(client::Caller::Over(server->channel()), "maps/room", "maps/again");
+  EXPECT_EQ(edits.Make(edit).code, client::StatusCode::kFailedPrecondition);
 }
 
 TEST_F(RecordedEdits, OneOfAnOlderRecordOrAnUnknownRequestIsNotKnown) {

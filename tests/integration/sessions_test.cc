@@ -293,9 +293,10 @@ class RecordedSessions : public ::testing::Test {
     *request.mutable_config() = reader.start().map().config();
     *request.mutable_label_classes() = reader.start().map().label_classes();
     CreateMap(server, request);
-    ReplayStreams streams(*server.mapping, "maps/again", [](const v1::IntegrateFramesResponse& answer) {
-      EXPECT_EQ(answer.outcome(), v1::IntegrateFramesResponse::FUSED) << answer.error().message();
-    });
+    ReplayStreams streams(client::Caller::Over(server.channel()), "maps/again",
+                          [](const v1::IntegrateFramesResponse& answer) {
+                            EXPECT_EQ(answer.outcome(), v1::IntegrateFramesResponse::FUSED) << answer.error().message();
+                          });
     for (auto record = reader.Next().value(); record; record = reader.Next().value()) {
       if (!record->has_frame()) continue;
       v1::IntegrateFramesRequest frame;

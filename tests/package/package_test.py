@@ -102,7 +102,7 @@ def main(build):
         run("cmake", "-S", outside, "-B", made, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}", f"-DWANTED_VERSION={version}",
             "-DPLAN_SOURCE=plan.cc")
         run("cmake", "--build", made, "-j2")
-        told = run(made / "page")
+        told = run(made / "page", cwd=work)  # it writes a file
         for expected in ("INVALID_ARGUMENT", "sofa", "is in the way", "5 frames"):
             assert expected in told, f"docs/cpp.md says not {expected!r}, but:\n{told}"
         assert 'name: "apartment"' in run(made / "own_messages", address)
@@ -111,7 +111,7 @@ def main(build):
         flags = run("pkg-config", "--cflags", "--libs", "dhpmap",
                     env={**os.environ, "PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}).split()
         run(COMPILER, "-std=c++20", outside / "page.cc", "-o", work / "page", *flags)
-        assert "5 frames" in run(work / "page")
+        assert "5 frames" in run(work / "page", cwd=work)
     assert not subprocess.run(["cmake", "-S", outside, "-B", work / "newer", f"-DCMAKE_PREFIX_PATH={prefix}",
                                "-DWANTED_VERSION=99.0"], capture_output=True).returncode == 0, "found as any version"
     print(f"package: {prefix}, all built and run")

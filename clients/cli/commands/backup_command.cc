@@ -18,10 +18,8 @@ ExitCode RunBackup(const Session& session, const std::string& path, bool replace
   }
   auto file = OutputFile::Open(path);
   if (!file.ok()) return ReportLocalError(file.status().message());
-  grpc::ClientContext context;
-  const auto stub = v1::MapService::NewStub(Connect(session));
-  const auto stream = stub->BackupMaps(&context, {});
-  const ExitCode code = Download(session, *stream, "backup", *file, [](const v1::BackupMapsResponse&) {});
+  const auto parts = session.caller->Read(&v1::MapService::Stub::BackupMaps, v1::BackupMapsRequest());
+  const ExitCode code = Download(session, *parts, "backup", *file, [](const v1::BackupMapsResponse&) {});
   if (code != ExitCode::kOk || path == "-") return code;
   if (session.json) std::cout << "{\n  \"bytes\": " << file->num_bytes() << "\n}\n";
   else std::cout << path << ": " << Bytes(static_cast<double>(file->num_bytes())) << ", all maps as committed\n";

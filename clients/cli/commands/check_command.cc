@@ -117,14 +117,8 @@ ExitCode RunCollisions(const Session& session, const CollisionFlags& flags) {
   *request.mutable_options() = *options;
   request.set_read_revision(flags.check.query.world.asker.read_revision);
   request.set_all_contacts(flags.check.all_contacts);
-  grpc::ClientContext context;
-  v1::CheckCollisionsResponse response;
-  const grpc::Status status =
-      v1::QueryService::NewStub(Connect(session))->CheckCollisions(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else PrintTable(response);
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::QueryService::Stub::CheckCollisions, request),
+              [&](const v1::CheckCollisionsResponse& response) { PrintTable(response); });
 }
 
 std::string PartOf(int sphere, const std::string& attached) {
@@ -168,15 +162,11 @@ void PrintTable(const v1::CheckTrajectoryResponse& response) {
 
 /// Something that the robot takes up at its first waypoint: where it is on the robot from then on.
 /// `frame`: in which the waypoint is.
-Result<v1::AttachedSubmap> TakeUp(const Session& session, const v1::GetSubmapRequest& request, const v1::Pose& frame,
-                                  const v1::Pose& first_waypoint, grpc::Status& status) {
-  v1::GetSubmapResponse response;
-  grpc::ClientContext context;
-  status = v1::SubmapService::NewStub(Connect(session))->GetSubmap(&context, request, &response);
+Result<v1::AttachedSubmap> TakeUp(const v1::Submap& submap, const v1::Pose& frame, const v1::Pose& first_waypoint) {
   v1::AttachedSubmap attached;
-  attached.set_submap(request.name());
+  attached.set_submap(submap.name());
   DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_submap,
-                          TransformFromProto(response.submap().map_from_submap(), "map_from_submap"));
+                          TransformFromProto(submap.map_from_submap(), "map_from_submap"));
   DHPMAP_ASSIGN_OR_RETURN(const Transform T_map_asker, TransformFromProto(frame, "frame"));
   DHPMAP_ASSIGN_OR_RETURN(const Transform T_asker_robot, TransformFromProto(first_waypoint, "waypoint"));
   *attached.mutable_robot_from_submap() = ToProto((T_map_asker * T_asker_robot).inverse() * T_map_submap);
@@ -208,27 +198,23 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
   v1::QueryOptions& options = *request.mutable_options();
   options = *common;
   for (const std::int64_t id : flags.attached) {
-    grpc::Status status;
-    v1::GetSubmapRequest taken;
-    taken.set_name(SubmapName(flags.check.map, id));
-    taken.set_read_revision(flags.check.query.world.asker.read_revision);
-    const auto attached = TakeUp(session, taken, options.map_from_query(), trajectory.waypoints(0), status);
-    if (!status.ok()) return ReportError(session, status);
+    v1::GetSubmapRequest wanted;
+    wanted.set_name(SubmapName(flags.check.map, id));
+    wanted.set_read_revision(flags.check.query.world.asker.read_revision);
+    const auto taken = Ask(session, &v1::SubmapService::Stub::GetSubmap, wanted);
+    if (!taken.ok()) return ReportError(session, taken.status());
+    const auto attached = TakeUp(taken->submap(), options.map_from_query(), trajectory.waypoints(0));
     if (!attached.ok()) return ReportLocalError(attached.status().message(), ExitCode::kUsage);
     *options.add_attached() = *attached;
   }
   request.set_read_revision(flags.check.query.world.asker.read_revision);
   request.set_all_contacts(flags.check.all_contacts);
   request.set_include_clearance(flags.with_clearance);
-  grpc::ClientContext context;
-  v1::CheckTrajectoryResponse response;
-  const grpc::Status status =
-      v1::QueryService::NewStub(Connect(session))->CheckTrajectory(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else PrintTable(response);
-  if (flags.with_clearance && !session.json) PrintClearances(response);
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::QueryService::Stub::CheckTrajectory, request),
+              [&](const v1::CheckTrajectoryResponse& response) {
+                PrintTable(response);
+                if (flags.with_clearance) PrintClearances(response);
+              });
 }
 
 }  // namespace

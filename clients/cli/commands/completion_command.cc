@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <iostream>
 
 #include "clients/cli/connection.h"
@@ -14,7 +13,7 @@ namespace dhpmap {
 namespace {
 
 /// Who presses a key does not wait longer for a server that may not be there.
-constexpr std::chrono::milliseconds kPatience{500};
+constexpr double kPatience_s = 0.5;
 
 /// Of what the server calls maps nothing else goes to a shell.
 bool IsPlain(const std::string& name) {
@@ -25,13 +24,10 @@ bool IsPlain(const std::string& name) {
 
 /// Names of maps, a line each; of more than a page the first ones. Says nothing where there is no server.
 ExitCode RunCompletionMaps(const Session& session) {
-  grpc::ClientContext context;
-  context.set_deadline(std::chrono::system_clock::now() + kPatience);
-  v1::ListMapsResponse response;
-  const grpc::Status status =
-      v1::MapService::NewStub(Connect(session))->ListMaps(&context, v1::ListMapsRequest(), &response);
-  if (!status.ok()) return ExitCodeOf(status.error_code());
-  for (const v1::Map& map : response.maps()) {
+  const auto response =
+      session.caller->Call(&v1::MapService::Stub::ListMaps, v1::ListMapsRequest(), kPatience_s, client::Again::kNo);
+  if (!response.ok()) return ExitCodeOf(response.status().code);
+  for (const v1::Map& map : response->maps()) {
     const std::string name = map.name().substr(std::min(map.name().size(), std::string("maps/").size()));
     if (IsPlain(name)) std::cout << name << "\n";
   }

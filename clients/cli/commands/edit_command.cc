@@ -39,40 +39,32 @@ struct EditOptions : EditFlags {
   [[nodiscard]] std::string name() const { return SubmapName(map, id); }
 };
 
-std::unique_ptr<v1::SubmapService::Stub> Submaps(const Session& session) {
-  return v1::SubmapService::NewStub(Connect(session));
-}
-
-grpc::Status GetSubmap(v1::SubmapService::Stub& stub, const std::string& name, v1::Submap& submap) {
-  grpc::ClientContext context;
+client::Result<v1::Submap> GetSubmap(const Session& session, const std::string& name) {
   v1::GetSubmapRequest request;
   request.set_name(name);
-  v1::GetSubmapResponse response;
-  grpc::Status status = stub.GetSubmap(&context, request, &response);
-  submap = response.submap();
-  return status;
+  auto response = Ask(session, &v1::SubmapService::Stub::GetSubmap, request);
+  if (!response.ok()) return response.status();
+  return std::move(*response->mutable_submap());
 }
 
-template <typename Response>
-ExitCode Done(const Session& session, const EditOptions& options, const grpc::Status& status, const Response& response,
-              const std::string& text) {
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else std::cout << (options.only_try ? "would be: " : "") << text << ", revision " << response.revision() << "\n";
-  return ExitCode::kOk;
+/// `text(response)` says what was done.
+template <typename Response, typename Text>
+ExitCode Done(const Session& session, const EditOptions& options, const client::Result<Response>& answer, Text text) {
+  return Tell(session, answer, [&](const Response& response) {
+    std::cout << (options.only_try ? "would be: " : "") << text(response) << ", revision " << response.revision()
+              << "\n";
+  });
 }
 
-ExitCode Update(const Session& session, const EditOptions& options, v1::SubmapService::Stub& stub,
-                const v1::Submap& submap, const char* field, const std::string& text) {
+ExitCode Update(const Session& session, const EditOptions& options, const v1::Submap& submap, const char* field,
+                const std::string& text) {
   v1::UpdateSubmapRequest request;
   options.Sign(request);
   *request.mutable_submap() = submap;
   if (!options.etag.empty()) request.mutable_submap()->set_etag(options.etag);
   request.mutable_update_mask()->add_paths(field);
-  grpc::ClientContext context;
-  v1::UpdateSubmapResponse response;
-  const grpc::Status status = stub.UpdateSubmap(&context, request, &response);
-  return Done(session, options, status, response, text);
+  return Done(session, options, Ask(session, &v1::SubmapService::Stub::UpdateSubmap, request),
+              [&](const auto&) { return text; });
 }
 
 ExitCode MoveWithSupported(const Session& session, const EditOptions& options, const v1::Submap& submap);
@@ -81,37 +73,31 @@ ExitCode RunMove(const Session& session, const EditOptions& options) {
   if (!options.pose.is_given()) {
     return ReportLocalError("say where: --to, --by, --yaw or --rotation", ExitCode::kUsage);
   }
-  const auto stub = Submaps(session);
-  v1::Submap submap;  // its etag guards the change against others made meanwhile
-  const grpc::Status status = GetSubmap(*stub, options.name(), submap);
-  if (!status.ok()) return ReportError(session, status);
-  if (const Status changed = ChangePose(options.pose, submap); !changed.ok()) {
+  auto submap = GetSubmap(session, options.name());  // its etag guards the change against others made meanwhile
+  if (!submap.ok()) return ReportError(session, submap.status());
+  if (const Status changed = ChangePose(options.pose, *submap); !changed.ok()) {
     return ReportLocalError(changed.message(), ExitCode::kBadRequest);
   }
-  if (options.include_supported) return MoveWithSupported(session, options, submap);
-  return Update(session, options, *stub, submap, "map_from_submap", "moved " + options.name());
+  if (options.include_supported) return MoveWithSupported(session, options, *submap);
+  return Update(session, options, *submap, "map_from_submap", "moved " + options.name());
 }
 
 ExitCode RunClone(const Session& session, const EditOptions& options) {
-  const auto stub = Submaps(session);
   v1::CloneSubmapRequest request;
   options.Sign(request);
   request.set_name(options.name());
   request.set_display_name(options.text);
   request.set_etag(options.etag);
   if (options.pose.is_given()) {
-    v1::Submap submap;
-    const grpc::Status status = GetSubmap(*stub, options.name(), submap);
-    if (!status.ok()) return ReportError(session, status);
-    if (const Status changed = ChangePose(options.pose, submap); !changed.ok()) {
+    auto submap = GetSubmap(session, options.name());
+    if (!submap.ok()) return ReportError(session, submap.status());
+    if (const Status changed = ChangePose(options.pose, *submap); !changed.ok()) {
       return ReportLocalError(changed.message(), ExitCode::kBadRequest);
     }
-    *request.mutable_map_from_submap() = submap.map_from_submap();
+    *request.mutable_map_from_submap() = submap->map_from_submap();
   }
-  grpc::ClientContext context;
-  v1::CloneSubmapResponse response;
-  const grpc::Status status = stub->CloneSubmap(&context, request, &response);
-  return Done(session, options, status, response, "cloned to " + response.submap().name());
+  return Done(session, options, Ask(session, &v1::SubmapService::Stub::CloneSubmap, request),
+              [](const v1::CloneSubmapResponse& response) { return "cloned to " + response.submap().name(); });
 }
 
 ExitCode RunDelete(const Session& session, const EditOptions& options) {
@@ -119,30 +105,26 @@ ExitCode RunDelete(const Session& session, const EditOptions& options) {
   options.Sign(request);
   request.set_name(options.name());
   request.set_etag(options.etag);
-  grpc::ClientContext context;
-  v1::DeleteSubmapResponse response;
-  const grpc::Status status = Submaps(session)->DeleteSubmap(&context, request, &response);
-  return Done(session, options, status, response, "deleted " + options.name());
+  return Done(session, options, Ask(session, &v1::SubmapService::Stub::DeleteSubmap, request),
+              [&](const auto&) { return "deleted " + options.name(); });
 }
 
 ExitCode RunRelabel(const Session& session, const EditOptions& options) {
-  v1::Map map;
-  const grpc::Status status = GetMap(Connect(session), options.map, map);
-  if (!status.ok()) return ReportError(session, status);
-  const auto label_class = FindClass(map, options.text);
+  const auto map = GetMap(session, options.map);
+  if (!map.ok()) return ReportError(session, map.status());
+  const auto label_class = FindClass(*map, options.text);
   if (!label_class.ok()) return ReportLocalError(label_class.status().message(), ExitCode::kNotFound);
   v1::Submap submap;
   submap.set_name(options.name());
   submap.set_class_id(static_cast<std::int32_t>(label_class->id()));
-  return Update(session, options, *Submaps(session), submap, "class_id",
-                "relabelled " + options.name() + " to " + label_class->name());
+  return Update(session, options, submap, "class_id", "relabelled " + options.name() + " to " + label_class->name());
 }
 
 ExitCode RunRename(const Session& session, const EditOptions& options) {
   v1::Submap submap;
   submap.set_name(options.name());
   submap.set_display_name(options.text);
-  return Update(session, options, *Submaps(session), submap, "display_name", "renamed " + options.name());
+  return Update(session, options, submap, "display_name", "renamed " + options.name());
 }
 
 void SetBox(v1::AxisAlignedBox& out, const std::vector<double>& values) {
@@ -172,24 +154,18 @@ ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const E
   request.set_map(MapName(options.map));
   options.Sign(request);
   if (!options.etag.empty() && options.id == 0) request.set_etag(options.etag);
-  grpc::ClientContext context;
-  v1::ApplyEditsResponse response;
-  const grpc::Status status = v1::EditService::NewStub(Connect(session))->ApplyEdits(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) {
-    PrintJson(response);
-    return ExitCode::kOk;
-  }
-  for (const v1::EditResult& result : response.results()) {
-    std::cout << (request.validate_only() ? "would be:" : "done:");
-    PrintNames("changed", result.changed_submaps());
-    PrintNames("created", result.created_submaps());
-    PrintNames("removed", result.removed_submaps());
-    if (result.num_voxels() > 0) std::cout << ", " << result.num_voxels() << " voxels";
-    std::cout << "\n";
-  }
-  std::cout << "revision " << response.revision() << "\n";
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::EditService::Stub::ApplyEdits, request),
+              [&](const v1::ApplyEditsResponse& response) {
+                for (const v1::EditResult& result : response.results()) {
+                  std::cout << (request.validate_only() ? "would be:" : "done:");
+                  PrintNames("changed", result.changed_submaps());
+                  PrintNames("created", result.created_submaps());
+                  PrintNames("removed", result.removed_submaps());
+                  if (result.num_voxels() > 0) std::cout << ", " << result.num_voxels() << " voxels";
+                  std::cout << "\n";
+                }
+                std::cout << "revision " << response.revision() << "\n";
+              });
 }
 
 /// A list of one edit, on the object that the options name, if they name one.
@@ -312,27 +288,22 @@ ExitCode RunUnignoreRegion(const Session& session, const EditOptions& options) {
 std::string Numbers(const v1::Vector3& v) { return Fixed(v.x(), 2) + " " + Fixed(v.y(), 2) + " " + Fixed(v.z(), 2); }
 
 ExitCode RunListIgnoredRegions(const Session& session, const EditOptions& options) {
-  grpc::ClientContext context;
   v1::ListIgnoredRegionsRequest request;
   request.set_parent(MapName(options.map));
   request.set_read_revision(options.read_revision);
-  v1::ListIgnoredRegionsResponse response;
-  const grpc::Status status =
-      v1::EditService::NewStub(Connect(session))->ListIgnoredRegions(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) {
-    PrintJson(response);
-    return ExitCode::kOk;
-  }
-  TextTable table({"NAME", "SHAPE", "METRES"});
-  for (const v1::IgnoredRegion& region : response.ignored_regions()) {
-    const v1::AxisAlignedBox& box = region.box();
-    const v1::Sphere& sphere = region.sphere();
-    if (region.has_box()) table.Add({region.name(), "box", Numbers(box.min_m()) + " to " + Numbers(box.max_m())});
-    else table.Add({region.name(), "sphere", Numbers(sphere.center_m()) + " radius " + Fixed(sphere.radius_m(), 2)});
-  }
-  table.Print(std::cout);
-  return ExitCode::kOk;
+  return Tell(
+      session, Ask(session, &v1::EditService::Stub::ListIgnoredRegions, request),
+      [&](const v1::ListIgnoredRegionsResponse& response) {
+        TextTable table({"NAME", "SHAPE", "METRES"});
+        for (const v1::IgnoredRegion& region : response.ignored_regions()) {
+          const v1::AxisAlignedBox& box = region.box();
+          const v1::Sphere& sphere = region.sphere();
+          if (region.has_box()) table.Add({region.name(), "box", Numbers(box.min_m()) + " to " + Numbers(box.max_m())});
+          else
+            table.Add({region.name(), "sphere", Numbers(sphere.center_m()) + " radius " + Fixed(sphere.radius_m(), 2)});
+        }
+        table.Print(std::cout);
+      });
 }
 
 /// A list of edits from a file of JSON, an ApplyEditsRequest whose map may be left out.

@@ -44,11 +44,9 @@ ExitCode RunMesh(const Session& session, const ExportOptions& options) {
   request.set_read_revision(options.read_revision);
   auto file = OutputFile::Open(options.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
-  grpc::ClientContext context;
-  const auto stub = v1::SubmapService::NewStub(Connect(session));
-  const auto stream = stub->GetSubmapMesh(&context, request);
+  const auto parts = session.caller->Read(&v1::SubmapService::Stub::GetSubmapMesh, request);
   std::int64_t revision = 0;
-  const ExitCode code = Download(session, *stream, "mesh", *file,
+  const ExitCode code = Download(session, *parts, "mesh", *file,
                                  [&revision](const v1::GetSubmapMeshResponse& part) { revision = part.revision(); });
   return code == ExitCode::kOk ? Report(session, options, file->num_bytes(), revision) : code;
 }
@@ -76,23 +74,19 @@ ExitCode RunVoxels(const Session& session, const ExportOptions& options) {
   auto file = OutputFile::Open(options.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
   file->Write("x_m,y_m,z_m,tsdf_m,weight,r,g,b,class_id,class_confidence\n");
-  grpc::ClientContext context;
-  const auto stub = v1::SubmapService::NewStub(Connect(session));
-  const auto stream = stub->StreamSubmapVoxels(&context, request);
+  const auto parts = session.caller->Read(&v1::SubmapService::Stub::StreamSubmapVoxels, request);
   v1::StreamSubmapVoxelsResponse part;
   std::int64_t revision = 0;
-  while (stream->Read(&part)) {
+  while (parts->Next(part)) {
     revision = part.revision();
     const int n = part.tsdf_m_size();
     if (part.xyz_m_size() != 3 * n || part.weight_size() != n || part.rgb().size() != 3 * static_cast<std::size_t>(n) ||
         part.class_id_size() != n || part.class_confidence_size() != n) {
-      context.TryCancel();
       return ReportLocalError("the server sent lists of different lengths", ExitCode::kServerFailed);
     }
     file->Write(Rows(part));
   }
-  const grpc::Status status = stream->Finish();
-  if (!status.ok()) return ReportError(session, status);
+  if (const client::Status status = parts->Finish(); !status.ok()) return ReportError(session, status);
   const std::int64_t num_bytes = file->num_bytes();
   if (const Status closed = file->Close(); !closed.ok()) return ReportLocalError(closed.message());
   return Report(session, options, num_bytes, revision);

@@ -50,11 +50,9 @@ ExitCode RunGrid(const Session& session, const GridCommand& command) {
   if (command.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_padding_m(command.padding_m);
   auto file = OutputFile::Open(command.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
-  grpc::ClientContext context;
-  const auto stub = v1::QueryService::NewStub(Connect(session));
-  const auto stream = stub->QueryDistanceGrid(&context, request);
+  const auto parts = session.caller->Read(&v1::QueryService::Stub::QueryDistanceGrid, request);
   v1::QueryDistanceGridResponse part, first;
-  while (stream->Read(&part)) {
+  while (parts->Next(part)) {
     if (part.first_node() == 0) {
       first = part;
       file->Write(NumpyHead(part.num_z(), part.num_y(), part.num_x()));
@@ -62,7 +60,7 @@ ExitCode RunGrid(const Session& session, const GridCommand& command) {
     file->Write({reinterpret_cast<const char*>(part.distance_m().data()),
                  sizeof(float) * static_cast<std::size_t>(part.distance_m_size())});
   }
-  if (const grpc::Status status = stream->Finish(); !status.ok()) return ReportError(session, status);
+  if (const client::Status status = parts->Finish(); !status.ok()) return ReportError(session, status);
   if (const Status closed = file->Close(); !closed.ok()) return ReportLocalError(closed.message());
   if (command.file != "-") {
     std::cout << command.file << ": " << first.num_x() << " x " << first.num_y() << " x " << first.num_z()

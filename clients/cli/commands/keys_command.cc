@@ -126,22 +126,18 @@ ExitCode RunList(const Session& session, const KeyOptions& options) {
 }
 
 ExitCode RunWhoAmI(const Session& session) {
-  grpc::ClientContext context;
-  v1::WhoAmIResponse response;
-  const grpc::Status status = v1::AuthService::NewStub(Connect(session))->WhoAmI(&context, {}, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) {
-    PrintJson(response);
-    return ExitCode::kOk;
-  }
-  const auto joined = [](const auto& texts) { return Joined({texts.begin(), texts.end()}); };
-  std::cout << response.principal() << ", a" << (response.role() == "viewer" || response.role() == "robot" ? " " : "n ")
-            << response.role() << ", maps " << joined(response.map_patterns()) << ", sessions "
-            << joined(response.session_patterns());
-  if (!response.key_id().empty()) std::cout << ", key " << response.key_id();
-  if (response.has_expire_time()) std::cout << " until " << auth::UtcText(response.expire_time().seconds());
-  std::cout << "\n";
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::AuthService::Stub::WhoAmI, v1::WhoAmIRequest()),
+              [&](const v1::WhoAmIResponse& response) {
+                const auto joined = [](const auto& texts) { return Joined({texts.begin(), texts.end()}); };
+                std::cout << response.principal() << ", a"
+                          << (response.role() == "viewer" || response.role() == "robot" ? " " : "n ") << response.role()
+                          << ", maps " << joined(response.map_patterns()) << ", sessions "
+                          << joined(response.session_patterns());
+                if (!response.key_id().empty()) std::cout << ", key " << response.key_id();
+                if (response.has_expire_time())
+                  std::cout << " until " << auth::UtcText(response.expire_time().seconds());
+                std::cout << "\n";
+              });
 }
 
 CLI::App* AddKeyCommand(CLI::App& keys, const char* name, const char* help, KeyOptions& options) {

@@ -51,22 +51,20 @@ void Print(const v1::LoggedEdit& edit) {
 
 /// The newest edits, page by page, until there are enough.
 ExitCode RunLog(const Session& session, const LogOptions& options) {
-  const auto stub = v1::EditService::NewStub(Connect(session));
   v1::ListEditsRequest request;
   request.set_parent(MapName(options.map));
   request.set_author(options.author);
   request.set_page_size(std::min(options.limit, 1000));
   v1::ListEditsResponse all;
-  do {
-    grpc::ClientContext context;
-    v1::ListEditsResponse page;
-    const grpc::Status status = stub->ListEdits(&context, request, &page);
-    if (!status.ok()) return ReportError(session, status);
+  const auto add = [&](v1::ListEditsResponse& page) {
     for (v1::LoggedEdit& edit : *page.mutable_edits()) {
       if (all.edits_size() < options.limit) *all.add_edits() = std::move(edit);
     }
-    request.set_page_token(page.next_page_token());
-  } while (!request.page_token().empty() && all.edits_size() < options.limit);
+    return all.edits_size() < options.limit;
+  };
+  const client::Status status =
+      client::ForEachPage(*session.caller, &v1::EditService::Stub::ListEdits, request, add, client::Again::kNo);
+  if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(all);
   else std::for_each(all.edits().begin(), all.edits().end(), Print);
   return ExitCode::kOk;

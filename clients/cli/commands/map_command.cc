@@ -4,8 +4,6 @@
 #include <atomic>
 #include <csignal>
 #include <iostream>
-#include <set>
-#include <thread>
 #include <utility>
 
 #include "clients/cli/ack_summary.h"
@@ -19,7 +17,6 @@
 #include "clients/cli/text_table.h"
 #include "clients/datasets/dataset.h"
 #include "clients/datasets/open_dataset.h"
-#include "dhpmap/v1/mapping_service.grpc.pb.h"
 
 namespace dhpmap {
 namespace {
@@ -32,9 +29,6 @@ struct MapOptions {
   std::string session;
   double reconnect_s = 30;
 };
-
-/// Without anything being stored in between: a frame that ends the server must not end it for ever.
-constexpr int kMaxReconnects = 10;
 
 std::atomic<bool> g_is_interrupted = false;
 
@@ -60,41 +54,24 @@ Result<std::unique_ptr<Dataset>> Open(const MapOptions& options) {
 /// One run of frames into a map.
 class Run {
  public:
-  Run(const MapOptions& options, Dataset& dataset, std::shared_ptr<grpc::Channel> channel, AckSummary& summary,
-      ProgressBar& progress)
-      : options_(options),
-        dataset_(dataset),
-        channel_(std::move(channel)),
-        stub_(v1::MappingService::NewStub(channel_)),
-        summary_(summary),
-        progress_(progress) {}
+  Run(const MapOptions& options, Dataset& dataset, AckSummary& summary, ProgressBar& progress)
+      : options_(options), dataset_(dataset), summary_(summary), progress_(progress) {}
 
   /// Streams and reports; the caller still has to look at the counts.
-  grpc::Status Stream(const std::vector<std::size_t>& indices) {
+  client::Status Stream(const std::shared_ptr<client::Caller>& caller, const std::vector<std::size_t>& indices) {
     const FrameSession session{.map = MapName(options_.map.name),
                                .name = options_.session,
                                .take_over = options_.take_over,
-                               .refuse_implausible = options_.refuse_implausible};
-    grpc::Status status;
-    if (options_.session.empty()) {
-      const auto queue = Read(indices);
-      status =
-          StreamFrames(*stub_, session, *queue, [&](const v1::IntegrateFramesResponse& ack) { Hear(ack, *queue); });
-    } else {
-      FrameQueue* queue = nullptr;
-      status = StreamSession(
-          *stub_, session, indices,
-          {.read =
-               [&](const std::vector<std::size_t>& left) {
-                 auto next = Read(left);
-                 queue = next.get();
-                 return next;
-               },
-           .on_stored_before = [this](std::size_t num_frames) { summary_.SetStoredBefore(num_frames); },
-           .on_ack = [&](const v1::IntegrateFramesResponse& ack) { Hear(ack, *queue); },
-           .on_progress = [this](const v1::IntegrateFramesResponse& answer) { summary_.AddProgress(answer); },
-           .reconnect = [this](const grpc::Status& why) { return Reconnect(why); }});
-    }
+                               .refuse_implausible = options_.refuse_implausible,
+                               .reconnect_s = options_.reconnect_s};
+    client::Status status = StreamFrames(
+        caller, session, indices,
+        {.read = [this](const std::vector<std::size_t>& left) { return Read(left); },
+         .on_stored_before = [this](std::size_t num_frames) { summary_.SetStoredBefore(num_frames); },
+         .on_ack = [this](const v1::IntegrateFramesResponse& ack) { Hear(ack); },
+         .on_progress = [this](const v1::IntegrateFramesResponse& answer) { summary_.AddProgress(answer); },
+         .reconnect = [this](const client::Status& why) { return Reconnect(why); },
+         .is_interrupted = [] { return g_is_interrupted.load(); }});
     if (status.ok()) summary_.SetAllStored();
     return status;
   }
@@ -103,31 +80,24 @@ class Run {
   std::unique_ptr<FrameQueue> Read(const std::vector<std::size_t>& indices) {
     const bool persistent = options_.ids == "auto" ? dataset_.has_persistent_ids() : options_.ids == "persistent";
     return std::make_unique<FrameQueue>(dataset_, indices, persistent, [this](std::size_t index, const Status& why) {
-      if (!skipped_.insert(index).second) return;  // met again after a lost connection
       if (summary_.AddSkipped(why)) Warn(index, "skipped", why.message());
     });
   }
 
-  void Hear(const v1::IntegrateFramesResponse& ack, FrameQueue& queue) {
+  void Hear(const v1::IntegrateFramesResponse& ack) {
     if (summary_.AddAck(ack)) Warn(static_cast<std::size_t>(ack.sequence()), "refused", ack.error().message());
     for (const std::string& warning : summary_.AddWarnings(ack)) {
       Warn(static_cast<std::size_t>(ack.sequence()), "doubtful", warning);
     }
     progress_.Show(summary_.num_done(), Fixed(static_cast<double>(summary_.num_done()) / progress_.elapsed_s(), 1) +
                                             " frames/s, " + std::to_string(summary_.num_created()) + " new submaps");
-    if (g_is_interrupted) queue.Stop();
   }
 
-  bool Reconnect(const grpc::Status& why) {
-    const std::size_t num_stored = summary_.num_stored();
-    num_reconnects_ = num_stored > std::exchange(num_stored_, num_stored) ? 1 : num_reconnects_ + 1;
-    if (g_is_interrupted || num_reconnects_ > kMaxReconnects) return false;
-    progress_.Print("the connection is lost (" + why.error_message() + "): trying for " +
-                    Fixed(options_.reconnect_s, 0) + " s to go on where the server stopped");
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // a server that is ending still answers
-    const auto time = std::chrono::duration_cast<std::chrono::system_clock::duration>(
-        std::chrono::duration<double>(options_.reconnect_s));
-    return channel_->WaitForConnected(std::chrono::system_clock::now() + time);
+  bool Reconnect(const client::Status& why) {
+    if (g_is_interrupted) return false;
+    progress_.Print("the connection is lost (" + why.message + "): trying for " + Fixed(options_.reconnect_s, 0) +
+                    " s to go on where the server stopped");
+    return true;
   }
 
   void Warn(std::size_t index, const char* what, const std::string& why) {
@@ -137,22 +107,15 @@ class Run {
 
   const MapOptions& options_;
   Dataset& dataset_;
-  const std::shared_ptr<grpc::Channel> channel_;
-  const std::unique_ptr<v1::MappingService::Stub> stub_;
   AckSummary& summary_;
   ProgressBar& progress_;
-  std::size_t num_stored_ = 0;     // when the connection was lost last
-  int num_reconnects_ = 0;         // since more than that was stored
-  std::set<std::size_t> skipped_;  // used by one queue's thread at a time
 };
 
-/// Ctrl-C cancels it, and the frames stay: as if it had been pressed before.
-grpc::Status Finish(const std::shared_ptr<grpc::Channel>& channel, const std::string& map) {
-  v1::FinishMappingResponse response;
-  grpc::Status status = FinishAndTell(channel, map, response);
-  if (status.error_code() != grpc::StatusCode::CANCELLED) return status;
+client::Status Finish(client::Caller& caller, const std::string& map) {
+  const auto finished = FinishAndTell(caller, map);
+  if (finished.status().code != client::StatusCode::kCancelled) return finished.status();
   g_is_interrupted = true;
-  return grpc::Status::OK;
+  return {};
 }
 
 ExitCode RunMap(const Session& session, const MapOptions& options) {
@@ -163,21 +126,26 @@ ExitCode RunMap(const Session& session, const MapOptions& options) {
     return ReportLocalError("of " + std::to_string((*dataset)->num_frames()) + " frames none is selected",
                             ExitCode::kUsage);
   }
-  const auto channel = Connect(session);
-  if (const ExitCode code = EnsureMap(session, channel, options.map, **dataset); code != ExitCode::kOk) return code;
+  if (const ExitCode code = EnsureMap(session, options.map, **dataset); code != ExitCode::kOk) return code;
 
   AckSummary summary;
   double elapsed_s = 0;
-  grpc::Status status;
+  client::Status status;
   std::signal(SIGINT, OnInterrupt);
   {
     ProgressBar progress(indices.size());
-    status = Run(options, **dataset, channel, summary, progress).Stream(indices);
+    status = Run(options, **dataset, summary, progress).Stream(session.caller, indices);
     elapsed_s = progress.elapsed_s();
   }
-  if (status.ok() && !options.no_finish && !g_is_interrupted) status = Finish(channel, MapName(options.map.name));
+  if (status.ok() && !options.no_finish && !g_is_interrupted) {
+    status = Finish(*session.caller, MapName(options.map.name));
+  }
   v1::Map map;
-  if (status.ok()) status = GetMap(channel, options.map.name, map);
+  if (status.ok()) {
+    auto got = GetMap(session, options.map.name);
+    status = got.status();
+    if (got.ok()) map = *std::move(got);
+  }
   if (session.json) {
     std::cout << summary.Json(map, elapsed_s);
   } else {

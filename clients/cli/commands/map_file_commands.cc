@@ -27,12 +27,10 @@ ExitCode RunExport(const Session& session, const ExportFile& options) {
   }
   auto file = OutputFile::Open(options.path);
   if (!file.ok()) return ReportLocalError(file.status().message());
-  grpc::ClientContext context;
   v1::ExportMapRequest request;
   request.set_name(MapName(options.map));
-  const auto stub = v1::MapService::NewStub(Connect(session));
-  const auto stream = stub->ExportMap(&context, request);
-  const ExitCode code = Download(session, *stream, "map", *file, [](const v1::ExportMapResponse&) {});
+  const auto parts = session.caller->Read(&v1::MapService::Stub::ExportMap, request);
+  const ExitCode code = Download(session, *parts, "map", *file, [](const v1::ExportMapResponse&) {});
   if (code != ExitCode::kOk || options.path == "-") return code;
   if (session.json) std::cout << "{\n  \"bytes\": " << file->num_bytes() << "\n}\n";
   else std::cout << options.path << ": " << Bytes(static_cast<double>(file->num_bytes())) << ", as committed\n";
@@ -75,11 +73,11 @@ ExitCode RunImport(const Session& session, const ImportFile& options) {
   if (num_bytes == 0) return ReportLocalError(options.path + " is empty");
   grpc::ClientContext context;
   v1::ImportMapResponse response;
-  const auto stub = v1::MapService::NewStub(Connect(session));
-  const auto stream = stub->ImportMap(&context, &response);
+  session.caller->Introduce(context);
+  const auto stream = session.caller->stub<v1::MapService::Stub>().ImportMap(&context, &response);
   const std::string map_id = options.map.starts_with("maps/") ? options.map.substr(5) : options.map;
   SendFile(file, num_bytes, map_id, *stream);
-  const grpc::Status status = stream->Finish();
+  const client::Status status = session.caller->StatusOf(stream->Finish());
   if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
   else

@@ -11,7 +11,6 @@
 #include "clients/cli/edit_flags.h"
 #include "clients/cli/finish_call.h"
 #include "clients/cli/new_map.h"
-#include "clients/cli/pages.h"
 #include "clients/cli/printable.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
@@ -21,21 +20,7 @@
 namespace dhpmap {
 namespace {
 
-std::unique_ptr<v1::MapService::Stub> Maps(const Session& session) { return v1::MapService::NewStub(Connect(session)); }
-
-ExitCode RunList(const Session& session) {
-  v1::ListMapsResponse response;
-  v1::ListMapsRequest request;
-  request.set_include_label_classes(true);
-  const auto maps = Maps(session);
-  const grpc::Status status = ReadAllPages(request, response, [&maps](auto* context, const auto& page, auto* answer) {
-    return maps->ListMaps(context, page, answer);
-  });
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) {
-    PrintJson(response);
-    return ExitCode::kOk;
-  }
+void PrintTable(const v1::ListMapsResponse& response) {
   TextTable table({"MAP", "FRAMES", "SUBMAPS", "CLASSES", "VOXEL_M", "REVISION", "TITLE"});
   for (const v1::Map& map : response.maps()) {
     table.Add({map.name().substr(5), std::to_string(map.num_frames()), std::to_string(map.num_submaps()),
@@ -43,7 +28,13 @@ ExitCode RunList(const Session& session) {
                std::to_string(map.revision()), map.display_name()});
   }
   table.Print(std::cout);
-  return ExitCode::kOk;
+}
+
+ExitCode RunList(const Session& session) {
+  v1::ListMapsRequest request;
+  request.set_include_label_classes(true);
+  return Tell(session, AskForAll(session, &v1::MapService::Stub::ListMaps, request),
+              [](const auto& all) { PrintTable(all); });
 }
 
 /// A map as it is, or was at a revision.
@@ -52,14 +43,7 @@ struct MapAt {
   std::int64_t read_revision = 0;
 };
 
-ExitCode RunShow(const Session& session, const MapAt& wanted) {
-  v1::Map map;
-  const grpc::Status status = GetMap(Connect(session), wanted.name, map, wanted.read_revision);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) {
-    PrintJson(map);
-    return ExitCode::kOk;
-  }
+void PrintMap(const v1::Map& map) {
   std::cout << map.name() << (map.display_name().empty() ? "" : " (" + Printable(map.display_name()) + ")") << ": "
             << map.num_frames() << " frames, " << map.num_submaps() << " submaps, revision " << map.revision() << "\n"
             << map.config().DebugString();
@@ -68,7 +52,10 @@ ExitCode RunShow(const Session& session, const MapAt& wanted) {
     table.Add({std::to_string(label_class.id()), label_class.name(), KindName(label_class.kind())});
   }
   table.Print(std::cout);
-  return ExitCode::kOk;
+}
+
+ExitCode RunShow(const Session& session, const MapAt& wanted) {
+  return Tell(session, GetMap(session, wanted.name, wanted.read_revision), PrintMap);
 }
 
 struct CreateOptions {
@@ -87,13 +74,8 @@ ExitCode RunCreate(const Session& session, const CreateOptions& options) {
   }
   const auto request = ToRequest(options.map, dataset.get());
   if (!request.ok()) return ReportLocalError(request.status().message(), ExitCode::kUsage);
-  grpc::ClientContext context;
-  v1::CreateMapResponse response;
-  const grpc::Status status = Maps(session)->CreateMap(&context, *request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else std::cout << "created " << response.map().name() << "\n";
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::MapService::Stub::CreateMap, *request),
+              [](const v1::CreateMapResponse& response) { std::cout << "created " << response.map().name() << "\n"; });
 }
 
 struct MapRename : EditFlags {
@@ -101,21 +83,16 @@ struct MapRename : EditFlags {
 };
 
 ExitCode RunRenameMap(const Session& session, const MapRename& rename) {
-  grpc::ClientContext context;
   v1::UpdateMapRequest request;
   request.mutable_map()->set_name(MapName(rename.name));
   request.mutable_map()->set_display_name(rename.title);
   request.mutable_map()->set_etag(rename.etag);
   request.mutable_update_mask()->add_paths("display_name");
   rename.Sign(request);
-  v1::UpdateMapResponse response;
-  const grpc::Status status = Maps(session)->UpdateMap(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else
+  return Tell(session, Ask(session, &v1::MapService::Stub::UpdateMap, request), [&](const v1::UpdateMapResponse&) {
     std::cout << MapName(rename.name) << (rename.only_try ? " would be called '" : " is now called '") << rename.title
               << "'\n";
-  return ExitCode::kOk;
+  });
 }
 
 struct MapDeletion {
@@ -127,40 +104,23 @@ struct MapDeletion {
 ExitCode RunDeleteMap(const Session& session, const MapDeletion& deletion) {
   const std::string& name = deletion.name;
   if (!deletion.yes) {
-    v1::Map map;
-    const grpc::Status found = GetMap(Connect(session), name, map);
-    const bool is_damaged = found.error_code() == grpc::StatusCode::DATA_LOSS;
-    if (!found.ok() && !is_damaged) return ReportError(session, found);
+    const auto map = GetMap(session, name);
+    const bool is_damaged = map.status().code == client::StatusCode::kDataLoss;
+    if (!map.ok() && !is_damaged) return ReportError(session, map.status());
     const std::string what =
-        is_damaged ? ", which is damaged" : " with all its submaps (" + std::to_string(map.num_submaps()) + ")";
+        is_damaged ? ", which is damaged" : " with all its submaps (" + std::to_string(map->num_submaps()) + ")";
     const std::string question = "Delete " + MapName(name) + what + "? This cannot be undone.";
     const Status said = Confirm(question, isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0, std::cin, std::cerr);
     if (!said.ok()) return ReportLocalError(said.message(), ExitCode::kUsage);
   }
-  grpc::ClientContext context;
   v1::DeleteMapRequest request;
   request.set_name(MapName(name));
-  v1::DeleteMapResponse response;
-  const grpc::Status status = Maps(session)->DeleteMap(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else std::cout << "deleted " << MapName(name) << "\n";
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::MapService::Stub::DeleteMap, request),
+              [&](const v1::DeleteMapResponse&) { std::cout << "deleted " << MapName(name) << "\n"; });
 }
 
-ExitCode RunStats(const Session& session, const MapAt& wanted) {
-  grpc::ClientContext context;
-  v1::GetMapStatsRequest request;
-  request.set_name(MapName(wanted.name));
-  request.set_read_revision(wanted.read_revision);
-  v1::GetMapStatsResponse stats;
-  const grpc::Status status = Maps(session)->GetMapStats(&context, request, &stats);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) {
-    PrintJson(stats);
-    return ExitCode::kOk;
-  }
-  TextTable table({MapName(wanted.name), "revision " + std::to_string(stats.revision())});
+void PrintStats(const std::string& map, const v1::GetMapStatsResponse& stats) {
+  TextTable table({map, "revision " + std::to_string(stats.revision())});
   table.Add({"frames", std::to_string(stats.num_frames())});
   table.Add({"things", std::to_string(stats.num_things()) + " (" + std::to_string(stats.num_active()) + " active)"});
   table.Add({"stuff", std::to_string(stats.num_stuff())});
@@ -172,7 +132,14 @@ ExitCode RunStats(const Session& session, const MapAt& wanted) {
                            Fixed(stats.memory_bytes_per_allocated_voxel(), 1) + " bytes a voxel)"});
   table.Add({"disk", Bytes(static_cast<double>(stats.disk_bytes()))});
   table.Print(std::cout);
-  return ExitCode::kOk;
+}
+
+ExitCode RunStats(const Session& session, const MapAt& wanted) {
+  v1::GetMapStatsRequest request;
+  request.set_name(MapName(wanted.name));
+  request.set_read_revision(wanted.read_revision);
+  return Tell(session, Ask(session, &v1::MapService::Stub::GetMapStats, request),
+              [&](const v1::GetMapStatsResponse& stats) { PrintStats(MapName(wanted.name), stats); });
 }
 
 std::string Describe(const v1::Refinement& refinement) {
@@ -182,15 +149,12 @@ std::string Describe(const v1::Refinement& refinement) {
 }
 
 ExitCode RunFinish(const Session& session, const std::string& name) {
-  v1::FinishMappingResponse response;
-  const grpc::Status status = FinishAndTell(Connect(session), MapName(name), response);
-  if (status.error_code() == grpc::StatusCode::CANCELLED) return ExitCode::kInterrupted;
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else
+  const auto finished = FinishAndTell(*session.caller, MapName(name));
+  if (finished.status().code == client::StatusCode::kCancelled) return ExitCode::kInterrupted;
+  return Tell(session, finished, [&](const v1::FinishMappingResponse& response) {
     std::cout << MapName(name) << ": " << response.num_frames() << " frames, " << response.num_submaps()
               << " submaps, revision " << response.revision() << "; " << Describe(response.refinement()) << "\n";
-  return ExitCode::kOk;
+  });
 }
 
 /// A command that takes the name of a map.

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "clients/cli/connection.h"
-#include "clients/cli/pages.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
@@ -64,20 +63,17 @@ void PrintTable(const v1::SearchSubmapsResponse& response) {
 }
 
 ExitCode RunSearch(const Session& session, const SearchCommand& command) {
-  const auto stub = v1::QueryService::NewStub(Connect(session));
-  v1::SearchSubmapsRequest request = SearchRequest(command);
   v1::SearchSubmapsResponse response;
-  do {
-    grpc::ClientContext context;
-    v1::SearchSubmapsResponse page;
-    const grpc::Status status = stub->SearchSubmaps(&context, request, &page);
-    if (!status.ok()) return ReportError(session, status);
+  const auto add = [&](v1::SearchSubmapsResponse& page) {
     response.set_revision(page.revision());
     for (v1::SubmapMatch& match : *page.mutable_matches()) {
       if (response.matches_size() < command.limit) *response.add_matches() = std::move(match);
     }
-    request.set_page_token(page.next_page_token());
-  } while (!request.page_token().empty() && response.matches_size() < command.limit);
+    return response.matches_size() < command.limit;
+  };
+  const client::Status status = client::ForEachPage(*session.caller, &v1::QueryService::Stub::SearchSubmaps,
+                                                    SearchRequest(command), add, client::Again::kNo);
+  if (!status.ok()) return ReportError(session, status);
   if (session.json) PrintJson(response);
   else PrintTable(response);
   return ExitCode::kOk;
@@ -110,15 +106,8 @@ ExitCode RunRelations(const Session& session, const RelationsCommand& command) {
   request.set_max_gap_m(command.max_gap_m);
   *request.mutable_options() = ToProto(command.asker);
   request.set_read_revision(command.asker.read_revision);
-  const auto stub = v1::QueryService::NewStub(Connect(session));
-  v1::QueryRelationsResponse response;
-  const grpc::Status status = ReadAllPages(request, response, [&stub](auto* context, const auto& page, auto* answer) {
-    return stub->QueryRelations(context, page, answer);
-  });
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else PrintTable(response);
-  return ExitCode::kOk;
+  return Tell(session, AskForAll(session, &v1::QueryService::Stub::QueryRelations, request),
+              [](const v1::QueryRelationsResponse& response) { PrintTable(response); });
 }
 
 }  // namespace

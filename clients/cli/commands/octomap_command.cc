@@ -10,7 +10,6 @@
 #include "clients/cli/new_map.h"
 #include "clients/cli/octomap_file.h"
 #include "clients/cli/output_file.h"
-#include "clients/cli/pages.h"
 #include "clients/cli/progress_bar.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
@@ -50,23 +49,20 @@ Heights HeightsOf(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps)
 }
 
 /// Fills in what the command line leaves open, from one state of the map.
-grpc::Status Complete(const std::shared_ptr<grpc::Channel>& channel, OctomapOptions& options) {
-  v1::Map map;
-  if (grpc::Status status = GetMap(channel, options.map, map, options.read_revision); !status.ok()) return status;
-  options.read_revision = map.revision();
-  if (options.resolution_m == 0) options.resolution_m = map.config().voxel_size_m();
-  if (!options.heights_m.empty()) return grpc::Status::OK;
+client::Status Complete(const Session& session, OctomapOptions& options) {
+  const auto map = GetMap(session, options.map, options.read_revision);
+  if (!map.ok()) return map.status();
+  options.read_revision = map->revision();
+  if (options.resolution_m == 0) options.resolution_m = map->config().voxel_size_m();
+  if (!options.heights_m.empty()) return {};
   v1::ListSubmapsRequest request;
   request.set_parent(MapName(options.map));
   request.set_read_revision(options.read_revision);
-  v1::ListSubmapsResponse all;
-  const auto submaps = v1::SubmapService::NewStub(channel);
-  grpc::Status status = ReadAllPages(request, all, [&submaps](auto* context, const auto& one, auto* page) {
-    return submaps->ListSubmaps(context, one, page);
-  });
-  const Heights heights = HeightsOf(all.submaps());
+  const auto all = AskForAll(session, &v1::SubmapService::Stub::ListSubmaps, request);
+  if (!all.ok()) return all.status();
+  const Heights heights = HeightsOf(all->submaps());
   if (heights.low_m <= heights.high_m) options.heights_m = {heights.low_m, heights.high_m};
-  return status;
+  return {};
 }
 
 /// The cells of a layer: a slice as thick as a cell.
@@ -90,8 +86,7 @@ Status AddLayer(const v1::QueryOccupancySliceResponse& slice, int layer, Octomap
 }
 
 /// kOk: all layers are in it. What went wrong is told.
-ExitCode ReadLayers(const Session& session, const std::shared_ptr<grpc::Channel>& channel,
-                    const OctomapOptions& options, OctomapFile& octomap) {
+ExitCode ReadLayers(const Session& session, const OctomapOptions& options, OctomapFile& octomap) {
   if (options.heights_m.empty()) return ExitCode::kOk;  // nothing is mapped
   const double low = std::floor(options.heights_m[0] / options.resolution_m);
   const double high = std::ceil(options.heights_m[1] / options.resolution_m);
@@ -99,7 +94,6 @@ ExitCode ReadLayers(const Session& session, const std::shared_ptr<grpc::Channel>
     return ReportLocalError("OctoMap takes 32,768 layers to each side of the origin: take a larger resolution",
                             ExitCode::kUsage);
   }
-  const auto queries = v1::QueryService::NewStub(channel);
   ProgressBar bar(static_cast<std::size_t>(std::max(0.0, high - low)), "layers");
   for (int layer = static_cast<int>(low); layer < static_cast<int>(high); ++layer) {
     v1::QueryOccupancySliceRequest request;
@@ -108,11 +102,9 @@ ExitCode ReadLayers(const Session& session, const std::shared_ptr<grpc::Channel>
     request.set_max_z_m((layer + 1) * options.resolution_m);
     request.set_resolution_m(options.resolution_m);
     request.set_read_revision(options.read_revision);
-    grpc::ClientContext context;
-    v1::QueryOccupancySliceResponse slice;
-    const grpc::Status status = queries->QueryOccupancySlice(&context, request, &slice);
-    if (!status.ok()) return ReportError(session, status);
-    if (const Status added = AddLayer(slice, layer, octomap); !added.ok()) return ReportLocalError(added.message());
+    const auto slice = Ask(session, &v1::QueryService::Stub::QueryOccupancySlice, request);
+    if (!slice.ok()) return ReportError(session, slice.status());
+    if (const Status added = AddLayer(*slice, layer, octomap); !added.ok()) return ReportLocalError(added.message());
     bar.Show(static_cast<std::size_t>(layer - static_cast<int>(low) + 1), "");
   }
   return ExitCode::kOk;
@@ -121,10 +113,9 @@ ExitCode ReadLayers(const Session& session, const std::shared_ptr<grpc::Channel>
 ExitCode RunOctomap(const Session& session, OctomapOptions options) {
   auto file = OutputFile::Open(options.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
-  const auto channel = Connect(session);
-  if (const grpc::Status status = Complete(channel, options); !status.ok()) return ReportError(session, status);
+  if (const client::Status status = Complete(session, options); !status.ok()) return ReportError(session, status);
   OctomapFile octomap;
-  if (const ExitCode code = ReadLayers(session, channel, options, octomap); code != ExitCode::kOk) return code;
+  if (const ExitCode code = ReadLayers(session, options, octomap); code != ExitCode::kOk) return code;
   file->Write(octomap.Bytes(options.resolution_m));
   if (const Status closed = file->Close(); !closed.ok()) return ReportLocalError(closed.message());
   if (options.file == "-") return ExitCode::kOk;

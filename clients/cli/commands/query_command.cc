@@ -90,13 +90,8 @@ ExitCode RunPoint(const Session& session, const PointOptions& options) {
   request.mutable_packed_points_m()->Assign(xyz_m->begin(), xyz_m->end());
   *request.mutable_options() = ToProto(options.asker);
   request.set_read_revision(options.asker.read_revision);
-  grpc::ClientContext context;
-  v1::QueryPointsResponse response;
-  const grpc::Status status = v1::QueryService::NewStub(Connect(session))->QueryPoints(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else PrintTable(request, response);
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::QueryService::Stub::QueryPoints, request),
+              [&](const v1::QueryPointsResponse& response) { PrintTable(request, response); });
 }
 
 void PrintTable(const v1::QueryDistancesRequest& request, const v1::QueryDistancesResponse& response) {
@@ -134,13 +129,8 @@ ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   request.set_read_revision(options.flags.world.asker.read_revision);
   if (options.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_padding_m(options.padding_m);
   if (options.tolerance_vox != 0) request.mutable_options()->set_tolerance_vox(options.tolerance_vox);
-  grpc::ClientContext context;
-  v1::QueryDistancesResponse response;
-  const grpc::Status status = v1::QueryService::NewStub(Connect(session))->QueryDistances(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else PrintTable(request, response);
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::QueryService::Stub::QueryDistances, request),
+              [&](const v1::QueryDistancesResponse& response) { PrintTable(request, response); });
 }
 
 void PrintTable(const v1::CastRaysResponse& response) {
@@ -174,13 +164,8 @@ ExitCode RunRays(const Session& session, const DistancesOptions& options) {
   }
   *request.mutable_options() = ToProto(options.flags, options.points.map);
   request.set_read_revision(options.flags.world.asker.read_revision);
-  grpc::ClientContext context;
-  v1::CastRaysResponse response;
-  const grpc::Status status = v1::QueryService::NewStub(Connect(session))->CastRays(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else PrintTable(response);
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::QueryService::Stub::CastRays, request),
+              [&](const v1::CastRaysResponse& response) { PrintTable(response); });
 }
 
 void AddPointOptions(CLI::App& command, PointOptions& options) {

@@ -13,7 +13,7 @@
 #include "clients/cli/new_map.h"
 #include "clients/cli/replay_edits.h"
 #include "clients/cli/replay_streams.h"
-#include "dhpmap/v1/map_service.grpc.pb.h"
+#include "clients/cpp/calls/error.h"
 #include "proto/types/record_file.h"
 
 namespace dhpmap {
@@ -62,28 +62,19 @@ class Pace {
   std::optional<std::int64_t> first_ns_;
 };
 
-grpc::Status Finish(v1::MappingService::Stub& stub, const std::string& map) {
-  grpc::ClientContext context;
-  v1::FinishMappingRequest request;
-  request.set_map(map);
-  v1::FinishMappingResponse response;
-  return stub.FinishMapping(&context, request, &response);
-}
-
 /// One run of a record into a map.
 class Replay {
  public:
-  Replay(RecordReader& reader, v1::MappingService::Stub& stub, ReplayEdits& edits, const ReplayOptions& options,
-         Counts& counts)
+  Replay(RecordReader& reader, const Session& session, ReplayEdits& edits, const ReplayOptions& options, Counts& counts)
       : reader_(reader),
-        stub_(stub),
+        session_(session),
         edits_(edits),
         map_(MapName(options.map)),
         counts_(counts),
         pace_(options.rate),
-        streams_(stub, map_, [this](const v1::IntegrateFramesResponse& answer) { Hear(answer); }) {}
+        streams_(session.caller, map_, [this](const v1::IntegrateFramesResponse& answer) { Hear(answer); }) {}
 
-  grpc::Status Run() {
+  client::Status Run() {
     std::optional<v1::Record> next = Read();
     while (next && status_.ok()) {
       const v1::Record record = *std::exchange(next, Read());
@@ -103,7 +94,7 @@ class Replay {
   void Send(const v1::Record& record) {
     v1::IntegrateFramesRequest request;
     if (!request.ParseFromString(record.frame().request())) {
-      status_ = {grpc::StatusCode::DATA_LOSS, "a recorded message is no frame"};
+      status_ = client::Error(client::StatusCode::kDataLoss, "a recorded message is no frame");
       return;
     }
     pace_.WaitFor(record.time_ns());
@@ -121,15 +112,17 @@ class Replay {
     }
     status_ = streams_.Drain();
     if (!status_.ok()) return;
-    const grpc::Status made = edits_.Make(edit);
+    const client::Status made = edits_.Make(edit);
     if (made.ok()) ++counts_.num_edits;
-    else if (made.error_code() == grpc::StatusCode::UNAVAILABLE) status_ = made;
-    else if (counts_.num_edits_refused++ == 0) counts_.first_edit_refusal = made.error_message();
+    else if (made.code == client::StatusCode::kUnavailable) status_ = made;
+    else if (counts_.num_edits_refused++ == 0) counts_.first_edit_refusal = made.message;
   }
 
   void FinishAll() {
     status_ = streams_.Drain();
-    if (status_.ok()) status_ = Finish(stub_, map_);
+    v1::FinishMappingRequest request;
+    request.set_map(map_);
+    if (status_.ok()) status_ = Ask(session_, &v1::MappingService::Stub::FinishMapping, request).status();
     counts_.num_finished += status_.ok();
   }
 
@@ -142,13 +135,13 @@ class Replay {
   }
 
   RecordReader& reader_;
-  v1::MappingService::Stub& stub_;
+  const Session& session_;
   ReplayEdits& edits_;
   const std::string map_;
   Counts& counts_;
   Pace pace_;
   ReplayStreams streams_;
-  grpc::Status status_;
+  client::Status status_;
 };
 
 void Print(const Counts& counts, const RecordReader& reader, const std::string& map) {
@@ -188,16 +181,12 @@ ExitCode RunReplay(const Session& session, const ReplayOptions& options) {
   if (const std::int64_t num_before = reader->start().map().num_frames(); num_before > 0) {
     std::cerr << "dhpmap: the record goes on from a map of " << num_before << " frames, which it lacks\n";
   }
-  const auto channel = Connect(session);
-  grpc::ClientContext context;
-  v1::CreateMapResponse created;
-  grpc::Status status = v1::MapService::NewStub(channel)->CreateMap(&context, *request, &created);
+  client::Status status = Ask(session, &v1::MapService::Stub::CreateMap, *request).status();
   if (!status.ok()) return ReportError(session, status);
   Counts counts;
-  const auto stub = v1::MappingService::NewStub(channel);
-  ReplayEdits edits(channel, reader->start().map().name(), MapName(options.map));
+  ReplayEdits edits(session.caller, reader->start().map().name(), MapName(options.map));
   status = edits.KeepClear(reader->start());
-  if (status.ok()) status = Replay(*reader, *stub, edits, options, counts).Run();
+  if (status.ok()) status = Replay(*reader, session, edits, options, counts).Run();
   if (session.json) PrintCountsAsJson(counts, *reader);
   else Print(counts, *reader, MapName(options.map));
   if (!status.ok()) return ReportError(session, status);

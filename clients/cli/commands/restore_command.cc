@@ -31,20 +31,14 @@ ExitCode RunRestore(const Session& session, const RestoreFlags& flags) {
   if (flags.id >= 0) request.set_submap(SubmapName(flags.map, flags.id));
   request.set_etag(flags.etag);
   flags.Sign(request);
-  grpc::ClientContext context;
-  v1::RestoreRevisionResponse response;
-  const grpc::Status status = v1::EditService::NewStub(Connect(session))->RestoreRevision(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) {
-    PrintJson(response);
-    return ExitCode::kOk;
-  }
-  std::cout << (flags.only_try ? "would be" : "is") << " as in revision " << flags.revision;
-  PrintRestored("changed", response.changed_submaps());
-  PrintRestored("created", response.created_submaps());
-  PrintRestored("removed", response.removed_submaps());
-  std::cout << ", revision " << response.revision() << "\n";
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::EditService::Stub::RestoreRevision, request),
+              [&](const v1::RestoreRevisionResponse& response) {
+                std::cout << (flags.only_try ? "would be" : "is") << " as in revision " << flags.revision;
+                PrintRestored("changed", response.changed_submaps());
+                PrintRestored("created", response.created_submaps());
+                PrintRestored("removed", response.removed_submaps());
+                std::cout << ", revision " << response.revision() << "\n";
+              });
 }
 
 }  // namespace

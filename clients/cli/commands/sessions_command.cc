@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "clients/cli/connection.h"
-#include "clients/cli/pages.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 
@@ -29,30 +28,20 @@ void PrintTable(const v1::ListSessionsResponse& response) {
 }
 
 ExitCode RunList(const Session& session, const std::string& map) {
-  const auto stub = v1::MappingService::NewStub(Connect(session));
   v1::ListSessionsRequest request;
   request.set_parent(MapName(map));
-  v1::ListSessionsResponse response;
-  const grpc::Status status = ReadAllPages(request, response, [&stub](auto* context, const auto& page, auto* answer) {
-    return stub->ListSessions(context, page, answer);
-  });
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else PrintTable(response);
-  return ExitCode::kOk;
+  return Tell(session, AskForAll(session, &v1::MappingService::Stub::ListSessions, request),
+              [](const auto& all) { PrintTable(all); });
 }
 
 ExitCode RunEnd(const Session& session, const std::string& map, const std::string& name) {
-  grpc::ClientContext context;
   v1::EndSessionRequest request;
   request.set_map(MapName(map));
   request.set_session(name);
-  v1::EndSessionResponse response;
-  const grpc::Status status = v1::MappingService::NewStub(Connect(session))->EndSession(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else std::cout << "ended " << (name.empty() ? "the stream without a session" : "session " + name) << "\n";
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::MappingService::Stub::EndSession, request),
+              [&](const v1::EndSessionResponse&) {
+                std::cout << "ended " << (name.empty() ? "the stream without a session" : "session " + name) << "\n";
+              });
 }
 
 }  // namespace

@@ -55,24 +55,21 @@ ExitCode RunSlice(const Session& session, const SliceCommand& command) {
   v1::QueryOccupancySliceRequest request = SliceRequest(command);
   request.set_format(is_png ? v1::QueryOccupancySliceRequest::PNG : v1::QueryOccupancySliceRequest::PGM);
   request.set_yaml_image_path(picture.filename().string());
-  grpc::ClientContext context;
-  v1::QueryOccupancySliceResponse slice;
-  const grpc::Status status =
-      v1::QueryService::NewStub(Connect(session))->QueryOccupancySlice(&context, request, &slice);
-  if (!status.ok()) return ReportError(session, status);
+  auto slice = Ask(session, &v1::QueryService::Stub::QueryOccupancySlice, request);
+  if (!slice.ok()) return ReportError(session, slice.status());
   std::filesystem::path yaml = picture;
   yaml.replace_extension(".yaml");
-  for (const auto& [path, text] : {std::pair(picture, &slice.data()), std::pair(yaml, &slice.yaml())}) {
+  for (const auto& [path, text] : {std::pair(picture, &slice->data()), std::pair(yaml, &slice->yaml())}) {
     if (const Status written = WriteFile(path.string(), *text); !written.ok()) {
       return ReportLocalError(written.message());
     }
   }
   if (session.json) {
-    slice.clear_data();
-    PrintJson(slice);
+    slice->clear_data();
+    PrintJson(*slice);
   } else {
-    std::cout << picture.string() << ", " << yaml.string() << ": " << slice.width() << " x " << slice.height()
-              << " cells of " << Fixed(slice.resolution_m(), 3) << " m, of revision " << slice.revision() << "\n";
+    std::cout << picture.string() << ", " << yaml.string() << ": " << slice->width() << " x " << slice->height()
+              << " cells of " << Fixed(slice->resolution_m(), 3) << " m, of revision " << slice->revision() << "\n";
   }
   return ExitCode::kOk;
 }

@@ -8,7 +8,6 @@
 #include "clients/cli/class_names.h"
 #include "clients/cli/connection.h"
 #include "clients/cli/new_map.h"
-#include "clients/cli/pages.h"
 #include "clients/cli/query_flags.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
@@ -60,29 +59,22 @@ void PrintTable(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {
 }
 
 ExitCode RunGet(const Session& session, const SubmapsOptions& options) {
-  grpc::ClientContext context;
   v1::GetSubmapRequest request;
   request.set_name(SubmapName(options.map, options.id));
   request.set_read_revision(options.read_revision);
-  v1::GetSubmapResponse response;
-  const grpc::Status status = v1::SubmapService::NewStub(Connect(session))->GetSubmap(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else std::cout << response.submap().DebugString();
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::SubmapService::Stub::GetSubmap, request),
+              [&](const v1::GetSubmapResponse& response) { std::cout << response.submap().DebugString(); });
 }
 
 ExitCode RunList(const Session& session, const SubmapsOptions& options) {
-  const auto channel = Connect(session);
   v1::ListSubmapsRequest request;
   request.set_parent(MapName(options.map));
   request.set_read_revision(options.read_revision);
   if (!options.classes.empty()) {
-    v1::Map map;
-    const grpc::Status status = GetMap(channel, options.map, map);
-    if (!status.ok()) return ReportError(session, status);
+    const auto map = GetMap(session, options.map);
+    if (!map.ok()) return ReportError(session, map.status());
     for (const std::string& name : options.classes) {
-      const auto label_class = FindClass(map, name);
+      const auto label_class = FindClass(*map, name);
       if (!label_class.ok()) return ReportLocalError(label_class.status().message(), ExitCode::kNotFound);
       request.add_class_ids(static_cast<std::int32_t>(label_class->id()));
     }
@@ -96,16 +88,8 @@ ExitCode RunList(const Session& session, const SubmapsOptions& options) {
     SetVector(options.box.data(), *request.mutable_region()->mutable_min_m());
     SetVector(options.box.data() + 3, *request.mutable_region()->mutable_max_m());
   }
-  const auto submaps = v1::SubmapService::NewStub(channel);
-  v1::ListSubmapsResponse response;
-  const grpc::Status status =
-      ReadAllPages(request, response, [&submaps](auto* context, const auto& page, auto* answer) {
-        return submaps->ListSubmaps(context, page, answer);
-      });
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else PrintTable(response.submaps());
-  return ExitCode::kOk;
+  return Tell(session, AskForAll(session, &v1::SubmapService::Stub::ListSubmaps, request),
+              [](const v1::ListSubmapsResponse& response) { PrintTable(response.submaps()); });
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/new_map.h"
 #include "clients/cli/ui_link.h"
-#include "dhpmap/v1/map_service.grpc.pb.h"
 
 extern char** environ;  // NOLINT: POSIX names it so
 
@@ -34,18 +34,10 @@ bool OpenInBrowser(const std::string& link) {
   return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// A link to a map that is not there would show nothing.
-grpc::Status CheckMap(const Session& session, const std::string& map) {
-  grpc::ClientContext context;
-  v1::GetMapRequest request;
-  request.set_name(MapName(map));
-  v1::GetMapResponse response;
-  return v1::MapService::NewStub(Connect(session))->GetMap(&context, request, &response);
-}
-
 ExitCode Run(const Session& session, const UiOptions& options) {
   if (!options.map.empty()) {
-    if (const grpc::Status status = CheckMap(session, options.map); !status.ok()) return ReportError(session, status);
+    // A link to a map that is not there would show nothing.
+    if (const auto map = GetMap(session, options.map); !map.ok()) return ReportError(session, map.status());
   }
   const std::string link = UiLink(options.http.empty() ? HttpOf(session.server) : options.http, options.map);
   if (session.json) std::cout << "{\"link\": \"" << link << "\"}\n";

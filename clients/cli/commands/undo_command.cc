@@ -24,43 +24,31 @@ void PrintObjectIds(const char* what, const google::protobuf::RepeatedPtrField<s
   for (const std::string& name : names) std::cout << " " << name.substr(name.rfind('/') + 1);
 }
 
-/// `call(stub, context, request, response)` is the RPC, `done` what it does.
-template <typename Request, typename Response, typename Call>
-ExitCode RunReversal(const Session& session, const UndoOptions& options, const char* done, Call call) {
+/// `method` is the RPC, `done` what it does.
+template <typename Request, typename Response>
+ExitCode RunReversal(const Session& session, const UndoOptions& options, const char* done,
+                     grpc::Status (v1::EditService::Stub::*method)(grpc::ClientContext*, const Request&, Response*)) {
   Request request;
   request.set_map(MapName(options.map));
   request.set_count(options.count);
   request.set_etag(options.etag);
   options.Sign(request);
   if (options.edit > 0) request.set_edit(MapName(options.map) + "/edits/" + std::to_string(options.edit));
-  grpc::ClientContext context;
-  Response response;
-  const grpc::Status status = call(*v1::EditService::NewStub(Connect(session)), &context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) {
-    PrintJson(response);
-    return ExitCode::kOk;
-  }
-  PrintObjectIds(options.only_try ? "would be:" : done, response.edits());
-  PrintObjectIds(", changed", response.changed_submaps());
-  PrintObjectIds(", created", response.created_submaps());
-  PrintObjectIds(", removed", response.removed_submaps());
-  std::cout << ", revision " << response.revision() << "\n";
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, method, request), [&](const Response& response) {
+    PrintObjectIds(options.only_try ? "would be:" : done, response.edits());
+    PrintObjectIds(", changed", response.changed_submaps());
+    PrintObjectIds(", created", response.created_submaps());
+    PrintObjectIds(", removed", response.removed_submaps());
+    std::cout << ", revision " << response.revision() << "\n";
+  });
 }
 
 ExitCode RunUndo(const Session& session, const UndoOptions& options) {
-  return RunReversal<v1::UndoEditsRequest, v1::UndoEditsResponse>(
-      session, options, "undone:", [](auto& stub, auto* context, const auto& request, auto* response) {
-        return stub.UndoEdits(context, request, response);
-      });
+  return RunReversal(session, options, "undone:", &v1::EditService::Stub::UndoEdits);
 }
 
 ExitCode RunRedo(const Session& session, const UndoOptions& options) {
-  return RunReversal<v1::RedoEditsRequest, v1::RedoEditsResponse>(
-      session, options, "done again:", [](auto& stub, auto* context, const auto& request, auto* response) {
-        return stub.RedoEdits(context, request, response);
-      });
+  return RunReversal(session, options, "done again:", &v1::EditService::Stub::RedoEdits);
 }
 
 ExitCode RunUndelete(const Session& session, const UndoOptions& options) {
@@ -68,16 +56,11 @@ ExitCode RunUndelete(const Session& session, const UndoOptions& options) {
   request.set_name(SubmapName(options.map, options.id));
   request.set_etag(options.etag);
   options.Sign(request);
-  grpc::ClientContext context;
-  v1::UndeleteSubmapResponse response;
-  const grpc::Status status =
-      v1::SubmapService::NewStub(Connect(session))->UndeleteSubmap(&context, request, &response);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(response);
-  else
-    std::cout << (options.only_try ? "would be: brought back " : "brought back ") << response.submap().name()
-              << ", revision " << response.revision() << "\n";
-  return ExitCode::kOk;
+  return Tell(session, Ask(session, &v1::SubmapService::Stub::UndeleteSubmap, request),
+              [&](const v1::UndeleteSubmapResponse& response) {
+                std::cout << (options.only_try ? "would be: brought back " : "brought back ")
+                          << response.submap().name() << ", revision " << response.revision() << "\n";
+              });
 }
 
 CLI::App* Add(CLI::App& app, const char* name, const char* what, Session& session,

@@ -34,16 +34,14 @@ void PrintReport(const std::string& map, const v1::VerifyMapResponse& report) {
 }
 
 ExitCode RunVerify(const Session& session, const std::string& map, bool repairs) {
-  grpc::ClientContext context;
   v1::VerifyMapRequest request;
   request.set_name(MapName(map));
   request.set_repair(repairs);
-  v1::VerifyMapResponse report;
-  const grpc::Status status = v1::MapService::NewStub(Connect(session))->VerifyMap(&context, request, &report);
-  if (!status.ok()) return ReportError(session, status);
-  if (session.json) PrintJson(report);
-  else PrintReport(MapName(map), report);
-  return report.num_faults() == 0 || report.repaired() ? ExitCode::kOk : ExitCode::kServerFailed;
+  const auto report = Ask(session, &v1::MapService::Stub::VerifyMap, request);
+  if (!report.ok()) return ReportError(session, report.status());
+  if (session.json) PrintJson(*report);
+  else PrintReport(MapName(map), *report);
+  return report->num_faults() == 0 || report->repaired() ? ExitCode::kOk : ExitCode::kServerFailed;
 }
 
 }  // namespace

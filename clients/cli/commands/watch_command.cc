@@ -3,17 +3,18 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
-#include <thread>
+#include <utility>
 
 #include "clients/cli/connection.h"
 #include "clients/cli/printable.h"
 #include "clients/cli/text_table.h"
-#include "dhpmap/v1/watch_service.grpc.pb.h"
+#include "clients/cpp/calls/message_watch.h"
+#include "dhpmap/v1/watch_service.pb.h"
 
 namespace dhpmap {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr std::chrono::hours kAwhile{1};
 
 struct WatchOptions {
   std::string map;
@@ -125,40 +126,28 @@ std::int64_t RevisionOf(const std::string& position) {
   return dash == std::string::npos ? -1 : std::atoll(position.c_str() + dash + 1);
 }
 
-/// Whether the connection was lost, or could not be made, rather than that the server has ended the watch for good.
-bool MayComeBack(const grpc::Status& status) {
-  return status.error_code() == grpc::UNAVAILABLE || status.error_code() == grpc::CANCELLED ||
-         status.error_code() == grpc::UNKNOWN;
-}
-
 /// Goes on after the last position whenever the connection is lost, as long as it comes back in time.
 ExitCode RunWatch(const Session& session, const WatchOptions& options) {
-  const auto channel = Connect(session);
-  const auto stub = v1::WatchService::NewStub(channel);
-  v1::WatchMapRequest request = RequestOf(options);
-  Clock::time_point last_heard = Clock::now();
-  bool was_there = false;
-  while (true) {
-    grpc::ClientContext context;
-    const auto stream = stub->WatchMap(&context, request);
-    v1::WatchMapResponse message;
-    while (stream->Read(&message)) {
-      was_there = true;
-      last_heard = Clock::now();
-      if (session.json) PrintJsonLine(message);
-      else Print(message);
-      std::cout.flush();
-      request.set_resume_after(message.position());
-      if (options.until >= 0 && RevisionOf(message.position()) >= options.until) return ExitCode::kOk;
+  bool was_there = false, is_told = false;
+  std::string position;
+  const auto goes_on = [&](const client::Status& why) {
+    if (was_there && !std::exchange(is_told, true)) {
+      std::cerr << "dhpmap: the connection is lost, going on after " << position << ": " << why.message << "\n";
     }
-    const grpc::Status status = stream->Finish();
-    const bool is_in_time = Clock::now() - last_heard < std::chrono::duration<double>(options.reconnect_s);
-    if (!was_there || !MayComeBack(status) || !is_in_time) return ReportError(session, status);
-    std::cerr << "dhpmap: the connection is lost, going on after " << request.resume_after() << ": "
-              << status.error_message() << "\n";
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // a server that is ending still answers
-    // gRPC looks only every 5 s at a channel that nobody waits for.
-    (void)channel->WaitForConnected(std::chrono::system_clock::now() + std::chrono::seconds(2));
+    return was_there;
+  };
+  client::MessageWatch watch(session.caller, RequestOf(options), options.reconnect_s, goes_on);
+  while (true) {
+    const auto message = watch.Next(client::Clock::now() + kAwhile);
+    if (!message.ok()) return ReportError(session, message.status());
+    if (!*message) continue;
+    was_there = true;
+    is_told = false;
+    position = watch.position();
+    if (session.json) PrintJsonLine(**message);
+    else Print(**message);
+    std::cout.flush();
+    if (options.until >= 0 && RevisionOf(position) >= options.until) return ExitCode::kOk;
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <utility>
 
-#include "clients/cpp/src/error.h"
+#include "clients/cpp/calls/error.h"
 #include "clients/cpp/src/source.h"
 
 namespace dhpmap::client {
@@ -34,8 +34,18 @@ class CalledSource final : public Source {
         return ask(&Stub::CheckCollisions, query.check_collisions(), &Answered::mutable_check_collisions);
       case Query::kCheckTrajectory:
         return ask(&Stub::CheckTrajectory, query.check_trajectory(), &Answered::mutable_check_trajectory);
+      case Query::kQueryOccupancySlice:
+        return ask(&Stub::QueryOccupancySlice, query.query_occupancy_slice(), &Answered::mutable_query_occupancy_slice);
+      case Query::kQueryRelations:
+        return ask(&Stub::QueryRelations, query.query_relations(), &Answered::mutable_query_relations);
       default: return Error(StatusCode::kInternal, "this query goes on streams only");
     }
+  }
+
+  std::unique_ptr<Parts<v1::QueryDistanceGridResponse>> AnswerGrid(v1::QueryDistanceGridRequest query,
+                                                                   double deadline_s) override {
+    query.set_read_revision(read_revision());
+    return caller_->Read(&v1::QueryService::Stub::QueryDistanceGrid, query, caller_->DeadlineOr(deadline_s));
   }
 
  private:

@@ -3,9 +3,10 @@
 
 #include <utility>
 
-#include "clients/cpp/src/caller.h"
+#include "clients/cpp/calls/caller.h"
+#include "clients/cpp/calls/error.h"
+#include "clients/cpp/calls/pages.h"
 #include "clients/cpp/src/convert/objects.h"
-#include "clients/cpp/src/error.h"
 
 namespace dhpmap::client {
 namespace {
@@ -41,15 +42,11 @@ Result<Map> Client::OpenMap(std::string_view name) const {
 }
 
 Result<std::vector<MapInfo>> Client::Maps() const {
-  v1::ListMapsRequest request;
+  const auto all = ReadAllPages(*caller_, &v1::MapService::Stub::ListMaps, v1::ListMapsRequest());
+  if (!all.ok()) return all.status();
   std::vector<MapInfo> found;
-  while (true) {
-    const auto page = caller_->Call(&v1::MapService::Stub::ListMaps, request);
-    if (!page.ok()) return page.status();
-    for (const v1::Map& map : page->maps()) found.push_back(FromProto(map));
-    if (page->next_page_token().empty()) return found;
-    request.set_page_token(page->next_page_token());
-  }
+  for (const v1::Map& map : all->maps()) found.push_back(FromProto(map));
+  return found;
 }
 
 Result<Map> Client::CreateMap(std::string_view name, const NewMap& map) const {

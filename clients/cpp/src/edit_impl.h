@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "clients/cpp/src/caller.h"
+#include "clients/cpp/calls/caller.h"
 #include "dhpmap/edit.h"
 #include "dhpmap/v1/edit_service.pb.h"
 

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "clients/cpp/calls/error.h"
+#include "clients/cpp/calls/pages.h"
 #include "clients/cpp/src/convert/frames.h"
-#include "clients/cpp/src/error.h"
 #include "clients/cpp/src/feed_impl.h"
 
 namespace dhpmap::client {
@@ -15,16 +16,13 @@ namespace {
 Result<std::int64_t> LastTaken(Caller& caller, const std::string& map, const std::string& session) {
   v1::ListSessionsRequest request;
   request.set_parent(map);
+  const auto all = ReadAllPages(caller, &v1::MappingService::Stub::ListSessions, request);
+  if (!all.ok()) return all.status();
   std::int64_t last = 0;
-  while (true) {
-    const auto page = caller.Call(&v1::MappingService::Stub::ListSessions, request);
-    if (!page.ok()) return page.status();
-    for (const v1::FeedSession& its : page->sessions()) {
-      if (its.session() == session) last = std::max(last, its.accepted_sequence());
-    }
-    if (page->next_page_token().empty()) return last;
-    request.set_page_token(page->next_page_token());
+  for (const v1::FeedSession& its : all->sessions()) {
+    if (its.session() == session) last = std::max(last, its.accepted_sequence());
   }
+  return last;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "clients/cpp/src/frame_stream.h"
+#include "clients/cpp/calls/frame_stream.h"
 #include "dhpmap/feed.h"
 
 namespace dhpmap::client {

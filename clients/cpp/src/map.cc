@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "clients/cpp/src/caller.h"
+#include "clients/cpp/calls/caller.h"
+#include "clients/cpp/calls/pages.h"
 #include "clients/cpp/src/convert/edits.h"
 #include "clients/cpp/src/convert/objects.h"
 #include "clients/cpp/src/edit_impl.h"
@@ -48,14 +49,14 @@ Result<ObjectList> Map::Objects() const {
   v1::ListSubmapsRequest request;
   request.set_parent(resource_name_);
   ObjectList list;
-  while (true) {
-    const auto page = caller_->Call(&v1::SubmapService::Stub::ListSubmaps, request);
-    if (!page.ok()) return page.status();
-    list.revision = list.revision == 0 ? page->revision() : std::min(list.revision, page->revision());
-    for (const v1::Submap& submap : page->submaps()) list.objects.push_back(FromProto(submap));
-    if (page->next_page_token().empty()) return list;
-    request.set_page_token(page->next_page_token());
-  }
+  const auto add = [&list](const v1::ListSubmapsResponse& page) {
+    list.revision = list.revision == 0 ? page.revision() : std::min(list.revision, page.revision());
+    for (const v1::Submap& submap : page.submaps()) list.objects.push_back(FromProto(submap));
+    return true;
+  };
+  Status status = ForEachPage(*caller_, &v1::SubmapService::Stub::ListSubmaps, request, add);
+  if (!status.ok()) return status;
+  return list;
 }
 
 Result<Object> Map::Get(std::int64_t object) const {

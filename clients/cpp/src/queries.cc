@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "clients/cpp/calls/error.h"
 #include "clients/cpp/src/convert/answers.h"
 #include "clients/cpp/src/convert/geometry.h"
 #include "clients/cpp/src/convert/objects.h"
 #include "clients/cpp/src/convert/options.h"
-#include "clients/cpp/src/error.h"
 #include "clients/cpp/src/stream_source.h"
 
 namespace dhpmap::client {

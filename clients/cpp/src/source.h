@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "clients/cpp/src/caller.h"
+#include "clients/cpp/calls/caller.h"
 #include "dhpmap/result.h"
 #include "dhpmap/v1/query_service.pb.h"
 
@@ -23,6 +23,10 @@ class Source {
 
   /// The answer to the one query that is set; deadline_s 0: that of the connection.
   virtual Result<v1::StreamQueriesResponse> Answer(v1::StreamQueriesRequest query, double deadline_s) = 0;
+
+  /// One distance grid, by a call of its own, of the state that other queries are of; deadline_s as above.
+  virtual std::unique_ptr<Parts<v1::QueryDistanceGridResponse>> AnswerGrid(v1::QueryDistanceGridRequest query,
+                                                                           double deadline_s) = 0;
 
   [[nodiscard]] const std::string& map() const { return map_; }  // maps/{map}
   /// That queries are to name; 0: none.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "clients/cpp/src/error.h"
+#include "clients/cpp/calls/error.h"
 
 namespace dhpmap::client {
 namespace {
@@ -92,6 +92,15 @@ Result<v1::StreamQueriesResponse> StreamSource::Answer(v1::StreamQueriesRequest 
     answer = AnswerBy(query, end);
   }
   return answer;
+}
+
+std::unique_ptr<Parts<v1::QueryDistanceGridResponse>> StreamSource::AnswerGrid(v1::QueryDistanceGridRequest query,
+                                                                               double deadline_s) {
+  {
+    const MutexLock lock(mutex_);
+    query.set_read_revision(std::max<std::int64_t>(pinned_, 0));
+  }
+  return caller_->Read(&v1::QueryService::Stub::QueryDistanceGrid, query, caller_->DeadlineOr(deadline_s));
 }
 
 Result<std::int64_t> StreamSource::Pin(std::int64_t revision) {

@@ -21,6 +21,8 @@ class StreamSource final : public Source {
   ~StreamSource() override;
 
   Result<v1::StreamQueriesResponse> Answer(v1::StreamQueriesRequest query, double deadline_s) override;
+  std::unique_ptr<Parts<v1::QueryDistanceGridResponse>> AnswerGrid(v1::QueryDistanceGridRequest query,
+                                                                   double deadline_s) override;
   /// To the present state (0) or a past revision; below 0: to none. The revision.
   Result<std::int64_t> Pin(std::int64_t revision);
 

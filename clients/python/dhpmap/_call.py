@@ -54,13 +54,19 @@ class Caller:
         """
         call = self._channel.unary_unary(f"/dhpmap.v1.{method}")
         end = time.monotonic() + (self.deadline_s if deadline_s is None else deadline_s)
+        lost: Error | None = None
         for pause_s in pauses():
             left_s = max(end - time.monotonic(), 0.0)
             try:
-                answer: bytes = call(request, timeout=left_s, metadata=self.metadata)
+                # Who waits for a lost connection keeps gRPC at it, which looks every 5 s only while nobody does.
+                answer: bytes = call(request, timeout=left_s, metadata=self.metadata, wait_for_ready=lost is not None)
                 return answer
             except grpc.RpcError as failed:
                 error = error_of_rpc(failed, self.address)
+            if lost is not None and isinstance(error, DeadlineExceeded) and not error.reason:
+                raise self._told(lost, method, deadline_s) from None  # as far as anybody knows
+            if isinstance(error, Unavailable):
+                lost = error
             if not (again and is_passing(error)) or time.monotonic() + pause_s >= end:
                 raise self._told(error, method, deadline_s) from None
             time.sleep(pause_s)

@@ -38,13 +38,15 @@ class LidarImage:
 
     Attributes:
         P_image_lidar: (3, 4) takes points of the LiDAR's frame to pixels, pixel = P [p; 1].
-        rgb: (H, W, 3) uint8.
+        rgb: (H, W, 3) uint8; or the bytes of a JPEG or PNG file, which needs a shape.
         labels: (H, W) integer ids of segments, 0: none.
+        shape: (H, W), of images that do not say.
     """
 
     P_image_lidar: ArrayLike
-    rgb: ArrayLike | None = None
+    rgb: ArrayLike | bytes | None = None
     labels: ArrayLike | None = None
+    shape: tuple[int, int] | None = None
 
 
 Segments = Iterable[Segment] | Mapping[int, str | int]
@@ -146,7 +148,9 @@ def _lidar_camera(image: LidarImage) -> pb2.LidarCamera:
     seen = image.labels if image.labels is not None else image.rgb
     if seen is None:
         raise bad_argument("image", "has neither rgb nor labels")
-    height, width = np.shape(seen)[:2]
+    if isinstance(seen, bytes) and image.shape is None:
+        raise bad_argument("image", "has a file for rgb, and no shape")
+    height, width = image.shape or np.shape(seen)[:2]
     camera = pb2.LidarCamera(image_from_lidar=P.ravel().tolist(), width_px=width, height_px=height)
     if image.rgb is not None:
         camera.color.CopyFrom(color_image(image.rgb, (height, width)))

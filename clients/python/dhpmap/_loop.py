@@ -36,12 +36,14 @@ class StreamSource:
 
     def answer(self, query: type[Message], request: bytes, *, deadline_s: float | None = None) -> bytes:
         end = time.monotonic() + (self._caller.deadline_s if deadline_s is None else deadline_s)
+        is_lost = False
         for pause_s in pauses():
             try:
                 if self._call is None:
-                    self._open(end, keeps_pin=query is not pb2.PinRequest)
+                    self._open(end, keeps_pin=query is not pb2.PinRequest, waits=is_lost)
                 return self._exchange(_FIELD_OF[query.DESCRIPTOR.full_name], request, end)
             except Error as error:
+                is_lost = isinstance(error, Unavailable)
                 if isinstance(error, DeadlineExceeded) and not error.reason:
                     self.close()
                 if not is_passing(error) or time.monotonic() + pause_s >= end:
@@ -61,10 +63,10 @@ class StreamSource:
             self._call.cancel()
             self._call = None
 
-    def _open(self, end: float, keeps_pin: bool) -> None:
+    def _open(self, end: float, keeps_pin: bool, waits: bool) -> None:
         self._requests, self._answers = queue.SimpleQueue(), queue.SimpleQueue()
         opened = self._caller.open("QueryService/StreamQueries", "stream_stream")
-        self._call = opened(iter(self._requests.get, None), metadata=self._caller.metadata)
+        self._call = opened(iter(self._requests.get, None), metadata=self._caller.metadata, wait_for_ready=waits)
         threading.Thread(target=_read_all, args=(self._call, self._answers, self._caller.address), daemon=True).start()
         if self.pinned_revision and keeps_pin:
             pin = pb2.PinRequest(map=self.map_name, read_revision=self.pinned_revision)

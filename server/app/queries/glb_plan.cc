@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/queries/glb_plan.h"
 
+#include <array>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,6 +38,29 @@ void Append(Number number, std::string& text) {
   text.append(reinterpret_cast<const char*>(&number), sizeof(number));
 }
 
+/// In JSON: control characters are spaces.
+std::string Quoted(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+/// Of an object's node: who it is, and as what it was seen; rounded, so that not each frame makes another file.
+std::string ExtrasOf(const SubmapInfo& info, const LabelSet& classes) {
+  std::string extras = R"({"instance_id":)" + std::to_string(info.id.value);
+  if (info.panoptic != Panoptic::kUnknown) {
+    std::array<char, 16> share{};
+    std::snprintf(share.data(), share.size(), "%.2f", static_cast<double>(info.ClassConfidence()));
+    const LabelClass* its = classes.Find(info.class_id);
+    extras += R"(,"class_id":)" + std::to_string(info.class_id.value) + R"(,"class_name":)" +
+              Quoted(its == nullptr ? "" : its->name) + R"(,"class_confidence":)" + share.data();
+  }
+  return extras + "}";
+}
+
 }  // namespace
 
 GlbPlan::GlbPlan(const MapSnapshot& map, const MeshRequest& request)
@@ -50,7 +75,7 @@ std::uint64_t GlbPlan::NameOf() const {
   if (request_.coloring != MeshColoring::kSensor) return 0;  // would have to name all classes and their colours
   std::string text = map_.info().name + (request_.submap ? "/one" : "/many");
   for (const Submap* submap : wanted_) {
-    Append(submap->id().value, text);
+    text += ExtrasOf(submap->info(), *map_.info().label_set);
     Append(IsCutFromMap(map_, *submap), text);
     if (request_.submap) continue;
     for (const double number : submap->info().T_map_submap.matrix().reshaped()) Append(number, text);
@@ -86,7 +111,7 @@ std::shared_ptr<const GlbFile> GlbPlan::Make(const std::stop_token& stop, const 
     const SubmapInfo& info = wanted_[i]->info();
     const std::string id = std::to_string(info.id.value);
     objects.push_back({.name = "maps/" + map_.info().name + "/submaps/" + id,
-                       .extras = R"({"instance_id":)" + id + "}",
+                       .extras = ExtrasOf(info, *map_.info().label_set),
                        .T_file_object = request_.submap ? Transform::Identity() : info.T_map_submap,
                        .mesh = &meshes[i].mesh});
   }

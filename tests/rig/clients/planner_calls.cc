@@ -22,12 +22,7 @@ v1::Vector3 Vector(double x, double y, double z) {
 }  // namespace
 
 PlannerCalls::PlannerCalls(const Target& target, unsigned seed)
-    : target_(target),
-      channel_(OwnChannel(target.grpc_address)),
-      queries_(v1::QueryService::NewStub(channel_)),
-      submaps_(v1::SubmapService::NewStub(channel_)),
-      http_(target.http_port),
-      random_(seed) {}
+    : target_(target), client_(OwnChannel(target.grpc_address)), http_(target.http_port), random_(seed) {}
 
 void PlannerCalls::Run(double rate_hz, Table& table, const std::stop_token& stop) {
   using Call = bool (PlannerCalls::*)();
@@ -82,37 +77,30 @@ void PlannerCalls::AddPlaces(Request& request, int number) {
 }
 
 bool PlannerCalls::Points() {
-  grpc::ClientContext context;
   v1::QueryPointsRequest request;
   AddPlaces(request, kPoints);
-  v1::QueryPointsResponse answer;
-  const grpc::Status status = queries_->QueryPoints(&context, request, &answer);
-  return IsRight(status, answer.revision(), answer.packed().near_surface_size(), kPoints);
+  const auto answer = client_.Call(&testing::QueryStub::QueryPoints, request);
+  return IsRight(answer.status(), answer->revision(), answer->packed().near_surface_size(), kPoints);
 }
 
 bool PlannerCalls::Distances() {
-  grpc::ClientContext context;
   v1::QueryDistancesRequest request;
   AddPlaces(request, kPoints);
-  v1::QueryDistancesResponse answer;
-  const grpc::Status status = queries_->QueryDistances(&context, request, &answer);
-  return IsRight(status, answer.revision(), answer.packed().distance_m_size(), kPoints);
+  const auto answer = client_.Call(&testing::QueryStub::QueryDistances, request);
+  return IsRight(answer.status(), answer->revision(), answer->packed().distance_m_size(), kPoints);
 }
 
 bool PlannerCalls::Rays() {
-  grpc::ClientContext context;
   v1::CastRaysRequest request;
   request.set_map("maps/" + target_.map_id);
   request.set_packed(true);
   for (int i = 0; i < 3; ++i) request.add_packed_origins_m(static_cast<float>(1 + Any(1)));
   for (int i = 0; i < 3 * kPoints; ++i) request.add_packed_directions(static_cast<float>(0.1 + Any(1)));
-  v1::CastRaysResponse answer;
-  const grpc::Status status = queries_->CastRays(&context, request, &answer);
-  return IsRight(status, answer.revision(), answer.packed().distance_m_size(), kPoints);
+  const auto answer = client_.Call(&testing::QueryStub::CastRays, request);
+  return IsRight(answer.status(), answer->revision(), answer->packed().distance_m_size(), kPoints);
 }
 
 bool PlannerCalls::Collisions() {
-  grpc::ClientContext context;
   v1::CheckCollisionsRequest request;
   request.set_map("maps/" + target_.map_id);
   for (int i = 0; i < kPoints; ++i) {
@@ -131,13 +119,11 @@ bool PlannerCalls::Collisions() {
       body.mutable_capsule()->set_radius_m(0.05 + Any(0.2));
     }
   }
-  v1::CheckCollisionsResponse answer;
-  const grpc::Status status = queries_->CheckCollisions(&context, request, &answer);
-  return IsRight(status, answer.revision(), answer.results_size(), kPoints);
+  const auto answer = client_.Call(&testing::QueryStub::CheckCollisions, request);
+  return IsRight(answer.status(), answer->revision(), answer->results_size(), kPoints);
 }
 
 bool PlannerCalls::Trajectory() {
-  grpc::ClientContext context;
   v1::CheckTrajectoryRequest request;
   request.set_map("maps/" + target_.map_id);
   for (int i = 0; i < kSpheres; ++i) {
@@ -154,13 +140,11 @@ bool PlannerCalls::Trajectory() {
         Vector(begin.x() + share * (end.x() - begin.x()), begin.y() + share * (end.y() - begin.y()), 0);
     pose.mutable_rotation()->set_w(1);
   }
-  v1::CheckTrajectoryResponse answer;
-  const grpc::Status status = queries_->CheckTrajectory(&context, request, &answer);
-  return IsRight(status, answer.revision(), answer.results_size(), 1);
+  const auto answer = client_.Call(&testing::QueryStub::CheckTrajectory, request);
+  return IsRight(answer.status(), answer->revision(), answer->results_size(), 1);
 }
 
 bool PlannerCalls::Slice() {
-  grpc::ClientContext context;
   v1::QueryOccupancySliceRequest request;
   request.set_map("maps/" + target_.map_id);
   request.set_min_z_m(0.1);
@@ -170,55 +154,49 @@ bool PlannerCalls::Slice() {
   request.mutable_area()->set_min_y_m(corner.y());
   request.mutable_area()->set_max_x_m(corner.x() + 2);
   request.mutable_area()->set_max_y_m(corner.y() + 2);
-  v1::QueryOccupancySliceResponse answer;
-  const grpc::Status status = queries_->QueryOccupancySlice(&context, request, &answer);
-  return IsRight(status, answer.revision(), static_cast<int>(answer.cells().size()), answer.width() * answer.height());
+  const auto answer = client_.Call(&testing::QueryStub::QueryOccupancySlice, request);
+  return IsRight(answer.status(), answer->revision(), static_cast<int>(answer->cells().size()),
+                 answer->width() * answer->height());
 }
 
 bool PlannerCalls::Grid() {
-  grpc::ClientContext context;
   v1::QueryDistanceGridRequest request;
   request.set_map("maps/" + target_.map_id);
   request.set_resolution_m(0.1);
   const v1::Vector3 corner = Place();
   *request.mutable_box()->mutable_min_m() = corner;
   *request.mutable_box()->mutable_max_m() = Vector(corner.x() + 1, corner.y() + 1, corner.z() + 0.5);
-  const auto parts = queries_->QueryDistanceGrid(&context, request);
-  v1::QueryDistanceGridResponse part;
+  const auto parts = client_.Call(&testing::QueryStub::QueryDistanceGrid, request);
   std::int64_t revision = revision_;
   int num_nodes = 0, num_read = 0;
-  while (parts->Read(&part)) {
+  for (const v1::QueryDistanceGridResponse& part : *parts) {
     if (num_read == 0) num_nodes = part.num_x() * part.num_y() * part.num_z();
     num_read += part.distance_m_size();
     if (part.revision() != 0) revision = part.revision();
   }
-  return IsRight(parts->Finish(), revision, num_read, num_nodes);
+  return IsRight(parts.status(), revision, num_read, num_nodes);
 }
 
 bool PlannerCalls::Search() {
-  grpc::ClientContext context;
   v1::SearchSubmapsRequest request;
   request.set_map("maps/" + target_.map_id);
   *request.mutable_near_point_m() = Place();
   request.set_page_size(5);
-  v1::SearchSubmapsResponse answer;
-  const grpc::Status status = queries_->SearchSubmaps(&context, request, &answer);
-  return IsRight(status, answer.revision(), answer.matches_size(), 5);
+  const auto answer = client_.Call(&testing::QueryStub::SearchSubmaps, request);
+  return IsRight(answer.status(), answer->revision(), answer->matches_size(), 5);
 }
 
 bool PlannerCalls::Relations() {
-  grpc::ClientContext context;
   v1::QueryRelationsRequest request;
   request.set_map("maps/" + target_.map_id);
-  v1::QueryRelationsResponse answer;
-  const grpc::Status status = queries_->QueryRelations(&context, request, &answer);
-  return IsRight(status, answer.revision(), 0, 0);
+  const auto answer = client_.Call(&testing::QueryStub::QueryRelations, request);
+  return IsRight(answer.status(), answer->revision(), 0, 0);
 }
 
 /// Three answers of one state, while frames go on.
 bool PlannerCalls::Stream() {
   grpc::ClientContext context;
-  const auto stream = queries_->StreamQueries(&context);
+  const auto stream = testing::QueryStub(client_.channel()).StreamQueries(&context);
   v1::StreamQueriesRequest pin, points, distances;
   pin.mutable_pin()->set_map("maps/" + target_.map_id);
   AddPlaces(*points.mutable_query_points(), 10);
@@ -254,37 +232,30 @@ bool PlannerCalls::PointsOverRest() {
 
 /// Copies an object to where no camera looks, moves the copy, renames it and deletes it.
 bool PlannerCalls::Edits() {
-  grpc::ClientContext list_context, clone_context, update_context, delete_context;
   v1::ListSubmapsRequest list;
   list.set_parent("maps/" + target_.map_id);
   list.set_kind(v1::LabelClass::THING);
-  v1::ListSubmapsResponse things;
-  grpc::Status status = submaps_->ListSubmaps(&list_context, list, &things);
-  if (!IsRight(status, things.revision(), 0, 0)) return false;
-  if (things.submaps().empty()) return Complain("there is no thing to edit");
+  const auto things = client_.Call(&testing::SubmapStub::ListSubmaps, list);
+  if (!IsRight(things.status(), things->revision(), 0, 0)) return false;
+  if (things->submaps().empty()) return Complain("there is no thing to edit");
   v1::CloneSubmapRequest clone;
-  clone.set_name(things.submaps(static_cast<int>(Any(things.submaps_size()))).name());
+  clone.set_name(things->submaps(static_cast<int>(Any(things->submaps_size()))).name());
   clone.mutable_map_from_submap()->mutable_translation_m()->set_z(50 + Any(10));
   clone.mutable_map_from_submap()->mutable_rotation()->set_w(1);
-  v1::CloneSubmapResponse cloned;
-  status = submaps_->CloneSubmap(&clone_context, clone, &cloned);
-  if (status.error_code() == grpc::StatusCode::NOT_FOUND) return true;  // mapping or another client took it away
-  if (!IsRight(status, cloned.revision(), 0, 0)) return false;
+  const auto cloned = client_.Call(&testing::SubmapStub::CloneSubmap, clone);
+  if (cloned.code() == grpc::StatusCode::NOT_FOUND) return true;  // mapping or another client took it away
+  if (!IsRight(cloned.status(), cloned->revision(), 0, 0)) return false;
   v1::UpdateSubmapRequest update;
-  update.mutable_submap()->set_name(cloned.submap().name());
+  update.mutable_submap()->set_name(cloned->submap().name());
   update.mutable_submap()->set_display_name("a copy");
   update.mutable_submap()->mutable_map_from_submap()->mutable_translation_m()->set_z(70 + Any(10));
   update.mutable_submap()->mutable_map_from_submap()->mutable_rotation()->set_w(1);
   update.mutable_update_mask()->add_paths("display_name");
   update.mutable_update_mask()->add_paths("map_from_submap");
-  v1::UpdateSubmapResponse updated;
-  status = submaps_->UpdateSubmap(&update_context, update, &updated);
-  if (!IsRight(status, updated.revision(), 0, 0)) return false;
-  v1::DeleteSubmapRequest del;
-  del.set_name(cloned.submap().name());
-  v1::DeleteSubmapResponse deleted;
-  status = submaps_->DeleteSubmap(&delete_context, del, &deleted);
-  return IsRight(status, deleted.revision(), 0, 0);
+  const auto updated = client_.Call(&testing::SubmapStub::UpdateSubmap, update);
+  if (!IsRight(updated.status(), updated->revision(), 0, 0)) return false;
+  const auto deleted = client_.Call(&testing::SubmapStub::DeleteSubmap, cloned->submap().name());
+  return IsRight(deleted.status(), deleted->revision(), 0, 0);
 }
 
 }  // namespace dhpmap::rig

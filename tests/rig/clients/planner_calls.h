@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "dhpmap/v1/query_service.grpc.pb.h"
-#include "dhpmap/v1/submap_service.grpc.pb.h"
 #include "tests/rig/load/bulk_calls.h"
 #include "tests/rig/load/latencies.h"
 #include "tests/unit/server/http/http_client.h"
@@ -58,9 +56,7 @@ class PlannerCalls {
   v1::Vector3 Place();
 
   const Target target_;
-  const std::shared_ptr<grpc::Channel> channel_;
-  const std::unique_ptr<v1::QueryService::Stub> queries_;
-  const std::unique_ptr<v1::SubmapService::Stub> submaps_;
+  const testing::Client client_;
   http::HttpClient http_;
   std::mt19937 random_;
   std::int64_t revision_ = 0;  ///< of the last answer

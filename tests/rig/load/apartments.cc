@@ -4,40 +4,15 @@
 #include <cstdio>
 #include <thread>
 
-#include "dhpmap/v1/map_service.grpc.pb.h"
-#include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "tests/rig/load/counted_memory.h"
 #include "tests/rig/rig.h"
 #include "tests/rig/server_under_test.h"
+#include "tests/support/client.h"
 
 namespace dhpmap::rig {
 namespace {
 
 constexpr double kMostAfter_mib = 250, kMostOverMap_mib = 300, kMostUnexplained_percent = 20;
-
-bool Clone(const std::shared_ptr<grpc::Channel>& channel, const std::string& map_id) {
-  grpc::ClientContext context;
-  v1::CloneSubmapRequest request;
-  request.set_name("maps/" + map_id + "/submaps/1");
-  v1::CloneSubmapResponse response;
-  return v1::SubmapService::NewStub(channel)->CloneSubmap(&context, request, &response).ok();
-}
-
-bool Finish(const std::shared_ptr<grpc::Channel>& channel, const std::string& map_id) {
-  grpc::ClientContext context;
-  v1::FinishMappingRequest request;
-  request.set_map("maps/" + map_id);
-  v1::FinishMappingResponse response;
-  return v1::MappingService::NewStub(channel)->FinishMapping(&context, request, &response).ok();
-}
-
-bool Delete(const std::shared_ptr<grpc::Channel>& channel, const std::string& map_id) {
-  grpc::ClientContext context;
-  v1::DeleteMapRequest request;
-  request.set_name("maps/" + map_id);
-  v1::DeleteMapResponse response;
-  return v1::MapService::NewStub(channel)->DeleteMap(&context, request, &response).ok();
-}
 
 /// The shares of a server's memory that its own count does not explain, %, at worst.
 struct Unexplained {
@@ -60,7 +35,7 @@ bool Judge(const Unexplained& most) {
 
 bool RunApartments(const ApartmentsOptions& options) {
   ServerUnderTest server;
-  const auto channel = server.process().Connect();
+  const testing::Client client(server.process().Connect());
   const CountedMemory memory(server);
   PeakWatch watch(server.pid());
   bool held = true;
@@ -79,18 +54,20 @@ bool RunApartments(const ApartmentsOptions& options) {
     watch.Reset();
     {
       MemoryLooks looks(memory);
-      if (!Finish(channel, map_id)) return false;
+      if (!client.Call(&testing::MappingStub::FinishMapping, "maps/" + map_id).ok()) return false;
       Raise(most.finishing, UnexplainedInMost_percent(looks.End()));
     }
     const double map_mib = server.Metric("dhpmap_map_memory_bytes") / (1 << 20);
     Raise(most_over_map_mib, watch.peak().anonymous_mib - before_mib - map_mib);
     Raise(most.with_map, memory.Look().unexplained_percent());
     BulkCalls calls(server.TargetOf(map_id));
-    const bool answered = calls.ManyPoints(500'000) && Clone(channel, map_id) && calls.WholeMesh();
+    const bool answered = calls.ManyPoints(500'000) &&
+                          client.Call(&testing::SubmapStub::CloneSubmap, "maps/" + map_id + "/submaps/1").ok() &&
+                          calls.WholeMesh();
     const MemoryLook look = memory.Look();
     Raise(most.after_answers, look.unexplained_percent());
     if (i % 5 == 0) memory.Tell();
-    if (!answered || !Delete(channel, map_id)) {
+    if (!answered || !client.Call(&testing::MapStub::DeleteMap, "maps/" + map_id).ok()) {
       std::printf("FAILED: a call on %s\n", map_id.c_str());
       held = false;
     }

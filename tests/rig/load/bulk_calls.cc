@@ -41,11 +41,7 @@ v1::QueryPointsRequest PointsEverywhere(const std::string& map_id, int num_point
   return request;
 }
 
-BulkCalls::BulkCalls(const Target& target)
-    : target_(target),
-      channel_(OwnChannel(target.grpc_address)),
-      submaps_(v1::SubmapService::NewStub(channel_)),
-      queries_(v1::QueryService::NewStub(channel_)) {}
+BulkCalls::BulkCalls(const Target& target) : target_(target), client_(OwnChannel(target.grpc_address)) {}
 
 bool BulkCalls::Answered(const char* call, const grpc::Status& status) {
   if (IsAnswer(status)) return true;
@@ -63,7 +59,7 @@ bool BulkCalls::WholeMesh() {
   grpc::ClientContext context;
   v1::GetSubmapMeshRequest request;
   request.set_name("maps/" + target_.map_id);
-  const auto mesh = submaps_->GetSubmapMesh(&context, request);
+  const auto mesh = testing::SubmapStub(client_.channel()).GetSubmapMesh(&context, request);
   v1::GetSubmapMeshResponse part;
   while (mesh->Read(&part)) {
   }
@@ -74,7 +70,7 @@ bool BulkCalls::AbandonedMesh() {
   grpc::ClientContext context;
   v1::GetSubmapMeshRequest request;
   request.set_name("maps/" + target_.map_id);
-  const auto mesh = submaps_->GetSubmapMesh(&context, request);
+  const auto mesh = testing::SubmapStub(client_.channel()).GetSubmapMesh(&context, request);
   v1::GetSubmapMeshResponse part;
   (void)mesh->Read(&part);
   context.TryCancel();
@@ -85,9 +81,8 @@ bool BulkCalls::AbandonedMesh() {
 }
 
 bool BulkCalls::ManyPoints(int num_points) {
-  grpc::ClientContext context;
-  v1::QueryPointsResponse response;
-  return Answered("points", queries_->QueryPoints(&context, PointsEverywhere(target_.map_id, num_points), &response));
+  const v1::QueryPointsRequest points = PointsEverywhere(target_.map_id, num_points);
+  return Answered("points", client_.Call(&testing::QueryStub::QueryPoints, points).status());
 }
 
 bool BulkCalls::ManyPointsAsJson(int num_points) {
@@ -104,15 +99,9 @@ bool BulkCalls::ManyPointsAsJson(int num_points) {
 }
 
 bool BulkCalls::Voxels(std::int64_t submap) {
-  grpc::ClientContext context;
-  v1::StreamSubmapVoxelsRequest request;
-  request.set_name("maps/" + target_.map_id + "/submaps/" + std::to_string(submap));
-  const auto voxels = submaps_->StreamSubmapVoxels(&context, request);
-  v1::StreamSubmapVoxelsResponse part;
-  while (voxels->Read(&part)) {
-  }
-  const grpc::Status status = voxels->Finish();
-  return status.error_code() == grpc::StatusCode::NOT_FOUND || Answered("voxels", status);
+  const std::string name = "maps/" + target_.map_id + "/submaps/" + std::to_string(submap);
+  const auto voxels = client_.Call(&testing::SubmapStub::StreamSubmapVoxels, name);
+  return voxels.code() == grpc::StatusCode::NOT_FOUND || Answered("voxels", voxels.status());
 }
 
 bool BulkCalls::MeshOverRest() {

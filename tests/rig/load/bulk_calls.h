@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dhpmap/v1/query_service.grpc.pb.h"
-#include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "tests/support/client.h"
 #include "tests/unit/server/http/http_client.h"
 
 namespace dhpmap::rig {
@@ -49,9 +48,7 @@ class BulkCalls {
   bool Answered(const char* call, const http::HttpAnswer& answer);
 
   Target target_;
-  std::shared_ptr<grpc::Channel> channel_;
-  std::unique_ptr<v1::SubmapService::Stub> submaps_;
-  std::unique_ptr<v1::QueryService::Stub> queries_;
+  testing::Client client_;
   int num_calls_ = 0, num_failures_ = 0;
   std::map<std::string, int> failures_;
 };

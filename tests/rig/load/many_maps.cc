@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <thread>
 
-#include "dhpmap/v1/map_service.grpc.pb.h"
+#include "clients/cpp/calls/pages.h"
 #include "server/app/open_map/lazy_thread.h"
 #include "tests/integration/test_server.h"
 #include "tests/rig/rig.h"
 #include "tests/rig/server_under_test.h"
+#include "tests/support/client.h"
 
 namespace dhpmap::rig {
 namespace {
@@ -18,34 +20,24 @@ constexpr int kFewMaps = 20;
 /// Of a map that is being closed, one at a time; seldom seen among so few.
 constexpr int kClosingThreads = 2;
 
-bool Make(const std::shared_ptr<grpc::Channel>& channel, const std::string& map_id) {
-  const auto maps = v1::MapService::NewStub(channel);
-  grpc::ClientContext context;
-  v1::CreateMapResponse created;
-  if (!maps->CreateMap(&context, testing::CreateRequest(map_id), &created).ok()) return false;
-  return testing::Feed(*v1::MappingService::NewStub(channel), map_id, 0, kFrames).status.ok();
+bool Make(const testing::Client& calls, const std::string& map_id) {
+  return calls.Call(&testing::MapStub::CreateMap, testing::CreateRequest(map_id)).ok() &&
+         testing::Feed(*v1::MappingService::NewStub(calls.channel()), map_id, 0, kFrames).status.ok();
 }
 
-/// Every map by ListMaps, page by page; then a submap list and a query of each.
-bool ReadAll(const std::shared_ptr<grpc::Channel>& channel, int num_wanted) {
-  const auto maps = v1::MapService::NewStub(channel);
-  const auto queries = v1::QueryService::NewStub(channel);
+/// Every map by ListMaps, page by page; then a query of each.
+bool ReadAll(const testing::Client& calls, int num_wanted) {
   int num_seen = 0;
-  v1::ListMapsRequest request;
-  do {
-    grpc::ClientContext context;
-    v1::ListMapsResponse page;
-    if (!maps->ListMaps(&context, request, &page).ok()) return false;
-    for (const v1::Map& map : page.maps()) {
-      grpc::ClientContext query_context;
-      v1::QueryPointsResponse answer;
-      v1::QueryPointsRequest query = testing::TestQuery(map.name().substr(5));
-      if (!queries->QueryPoints(&query_context, query, &answer).ok()) return false;
-      ++num_seen;
-    }
-    request.set_page_token(page.next_page_token());
-  } while (!request.page_token().empty());
-  return num_seen == num_wanted;
+  const auto ask_all = [&](const v1::ListMapsResponse& page) {
+    num_seen += static_cast<int>(std::count_if(page.maps().begin(), page.maps().end(), [&](const v1::Map& map) {
+      return calls.Call(&testing::QueryStub::QueryPoints, testing::TestQuery(map.name().substr(5))).ok();
+    }));
+    return true;
+  };
+  const auto caller = client::Caller::Over(calls.channel());
+  return client::ForEachPage(*caller, &testing::MapStub::ListMaps, v1::ListMapsRequest(), ask_all, client::Again::kNo)
+             .ok() &&
+         num_seen == num_wanted;
 }
 
 double SecondsFor(const std::function<bool()>& work, bool& held) {
@@ -58,13 +50,13 @@ double SecondsFor(const std::function<bool()>& work, bool& held) {
 
 bool RunManyMaps(const ManyMapsOptions& options) {
   ServerUnderTest server({{"DHPMAP_MAPS_IDLE_CLOSE_S", std::to_string(options.idle_close_s)}});
-  const auto channel = server.process().Connect();
-  bool held = Make(channel, "first");
+  const testing::Client client(server.process().Connect());
+  bool held = Make(client, "first");
   const ProcessUse one = UseOf(server.pid());
   int num_maps = 1;
   const auto make = [&](int up_to) {
     for (; num_maps < up_to; ++num_maps) {
-      if (!Make(channel, std::string("m").append(std::to_string(num_maps)))) return false;
+      if (!Make(client, std::string("m").append(std::to_string(num_maps)))) return false;
     }
     return true;
   };
@@ -72,7 +64,7 @@ bool RunManyMaps(const ManyMapsOptions& options) {
   (void)SecondsFor([&] { return make(kFewMaps); }, held);
   std::this_thread::sleep_for(4 * LazyThread::kIdle);  // those that stored the maps retire
   peak.Reset();
-  (void)SecondsFor([&] { return ReadAll(channel, kFewMaps); }, held);
+  (void)SecondsFor([&] { return ReadAll(client, kFewMaps); }, held);
   const auto until_closed = std::chrono::duration<double>(3 * options.idle_close_s + 5);
   std::this_thread::sleep_for(until_closed);  // closing takes threads, too
   const int threads_few = peak.peak().num_threads;
@@ -81,7 +73,7 @@ bool RunManyMaps(const ManyMapsOptions& options) {
   const int threads_making = peak.peak().num_threads;
   std::this_thread::sleep_for(4 * LazyThread::kIdle);  // those that stored the last maps retire
   peak.Reset();
-  const double read_s = SecondsFor([&] { return ReadAll(channel, options.num_maps); }, held);
+  const double read_s = SecondsFor([&] { return ReadAll(client, options.num_maps); }, held);
   std::printf(
       "%d maps made in %.1f s, listed and queried in %.1f s; one map: %d threads, %.0f MiB anonymous; at most %.0f\n",
       options.num_maps, made_s, read_s, one.num_threads, one.anonymous_mib, peak.peak().anonymous_mib);
@@ -93,7 +85,7 @@ bool RunManyMaps(const ManyMapsOptions& options) {
   const ProcessUse after = UseOf(server.pid());
   held &= Expect("threads after the idle time", after.num_threads, threads_few, "");
   held &= Expect("anonymous memory after the idle time", after.anonymous_mib, one.anonymous_mib + 50, "MiB");
-  const double again_s = SecondsFor([&] { return ReadAll(channel, options.num_maps); }, held);
+  const double again_s = SecondsFor([&] { return ReadAll(client, options.num_maps); }, held);
   std::printf("all opened and queried again in %.1f s\n", again_s);
   return held;
 }

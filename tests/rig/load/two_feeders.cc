@@ -38,11 +38,7 @@ std::optional<MapSurfaces> MapShares(ServerUnderTest& server, const std::string&
                 shares[k].size(), outcomes[k].status.error_message().c_str());
     return std::nullopt;
   }
-  grpc::ClientContext context;
-  v1::FinishMappingRequest request;
-  request.set_map("maps/" + map_id);
-  v1::FinishMappingResponse response;
-  grpc::Status status = v1::MappingService::NewStub(channel)->FinishMapping(&context, request, &response);
+  grpc::Status status = testing::Client(channel).Call(&testing::MappingStub::FinishMapping, "maps/" + map_id).status();
   MapSurfaces map;
   if (status.ok()) status = ReadSurfaces(channel, map_id, map);
   if (!status.ok())

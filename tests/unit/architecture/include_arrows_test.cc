@@ -96,6 +96,7 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
        {"mapping/base", "server/auth", "server/base", "server/web", "proto/types", "server/http", "server/json",
         "proto"}},
       {"server", {"mapping", "storage/store.h", "server", "proto"}},  // main.cc: wiring
+      {"clients/cpp/calls", {"mapping/base/mutex.h", "proto"}},
       {"clients/cpp", {"mapping/base/mutex.h", "proto"}},
       {"clients/cpp/ompl", {"mapping/base/mutex.h", "clients/cpp"}},
       {"clients/datasets", {"mapping"}},
@@ -105,7 +106,7 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"clients/evaluator/baselines", {"mapping", "clients/evaluator/mapping_system.h"}},
       {"clients/cli",
        {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor", "server/auth/keys", "proto/types",
-        "clients/command_line", "clients/datasets", "proto"}},
+        "clients/command_line", "clients/cpp/calls", "clients/datasets", "proto"}},
   };
   return arrows;
 }
@@ -179,15 +180,16 @@ const std::vector<Fence>& Fences() {
   static const std::vector<Fence> fences = {
       {"sqlite3\\.h", {"storage/sqlite"}, false},
       {"grpcpp/|grpc/|dhpmap/v1/.*grpc\\.pb\\.h",
-       {"server/grpc", "server/gateway", "server/main.cc", "clients/cli", "clients/cpp/src", "tests"},
+       {"server/grpc", "server/gateway", "server/main.cc", "clients/cli", "clients/cpp/calls", "clients/cpp/src",
+        "tests"},
        true},
       {"dhpmap/v1/",
        {"proto/types", "server/auth", "server/base", "server/wire", "server/grpc", "server/gateway", "server/main.cc",
-        "clients/cli", "clients/cpp/src", "tests"},
+        "clients/cli", "clients/cpp/calls", "clients/cpp/src", "tests"},
        true},
       {"google/",
        {"proto/types", "server/auth", "server/base", "server/wire", "server/grpc", "server/json", "server/gateway",
-        "server/main.cc", "clients/cli", "clients/cpp/src", "tests"},
+        "server/main.cc", "clients/cli", "clients/cpp/calls", "clients/cpp/src", "tests"},
        true},
       {"ompl/", {"clients/cpp/ompl", "clients/cpp/examples", "tests"}, true},
       {"spng\\.h|tiffio\\.h|turbojpeg\\.h", {"mapping/images", "tests"}, false},

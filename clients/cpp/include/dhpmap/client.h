@@ -36,6 +36,11 @@ class Client {
   Result<Map> CreateMap(std::string_view name, const NewMap& map = {}) const;
   /// Deletes a map with all that is in it. FailedPrecondition while it is fed, NotFound.
   Status DeleteMap(std::string_view name) const;
+  /// A copy of the server's database with all maps, as committed.
+  Result<FileInfo> Backup(const TakePart& take, double deadline_s = 3600) const;
+  /// A map from a file that Map::Export has written; name "": that of the file. InvalidArgument for a file that cannot
+  /// be read, AlreadyExists. Never sent twice.
+  Result<Map> ImportMap(const std::string& file, std::string_view name = "", double deadline_s = 3600) const;
 
  private:
   explicit Client(std::shared_ptr<Caller> caller);

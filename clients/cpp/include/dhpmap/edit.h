@@ -114,7 +114,12 @@ struct UndoOptions {
   std::string author;         ///< empty: that of ConnectOptions
 };
 
-/// What undoing, or doing again, did: edits by their revisions, objects by their ids.
+struct RestoreOptions {
+  std::optional<std::int64_t> object;  ///< only this one
+  std::string author;                  ///< empty: that of ConnectOptions
+};
+
+/// What undoing, doing again or restoring did: edits by their revisions, objects by their ids.
 struct Undone {
   std::int64_t revision = 0;
   std::vector<std::int64_t> edits, changed, created, removed;

@@ -8,6 +8,8 @@
 
 #include "dhpmap/edit.h"
 #include "dhpmap/feed.h"
+#include "dhpmap/files.h"
+#include "dhpmap/history.h"
 #include "dhpmap/queries.h"
 #include "dhpmap/watch.h"
 
@@ -71,9 +73,21 @@ class Map final : public Queries {
   /// Does again what was undone.
   Result<Undone> Redo(const UndoOptions& options = {}) const;
 
+  /// Takes all of the map, or one object, back to a revision of the recent past: an edit, which can be undone.
+  Result<Undone> Restore(std::int64_t revision, const RestoreOptions& options = {}) const;
+  /// The edits that there were, the newest first.
+  Result<std::vector<LoggedEdit>> Log(const LogOptions& options = {}) const;
+
   [[nodiscard]] client::Watch Watch(const WatchOptions& options = {}) const;
   /// Begins a session of frames. Aborted, reason MAP_IS_FED, if a stream without a session feeds the map.
   Result<client::Feed> Feed(const FeedOptions& options) const;
+  /// The surface as a file, such as a binary PLY. NotFound for an object that is not there.
+  Result<FileInfo> Mesh(const TakePart& take, const MeshOptions& options = {}) const;
+  /// The observed voxels of an object.
+  Result<client::Voxels> Voxels(std::int64_t object, const VoxelOptions& options = {}) const;
+  /// All of the map as committed, as a file that Client::ImportMap reads.
+  Result<FileInfo> Export(const TakePart& take, double deadline_s = 3600) const;
+
   /// Settles all things and refines labels, which takes up to minutes. Mapping may go on later. The revision.
   Result<std::int64_t> FinishMapping(double deadline_s = 3600) const;
 

@@ -11,6 +11,7 @@
 #include "dhpmap/answers.h"
 #include "dhpmap/options.h"
 #include "dhpmap/result.h"
+#include "dhpmap/space.h"
 
 namespace dhpmap::client {
 
@@ -60,6 +61,13 @@ class Queries {
 
   /// Objects of a class; "": of any. InvalidArgument for a class that the map does not know.
   Result<std::vector<Object>> Find(std::string_view class_name, const FindOptions& options = {}) const;
+
+  /// What is occupied and free between two heights? A map for a robot that drives.
+  Result<client::Slice> Slice(const SliceOptions& options = {}) const;
+  /// The distances at the nodes of a grid that fills a box, every resolution_m (0.001 to 100) from its least corner on.
+  Result<DistanceGrid> Grid(const Box& box, double resolution_m, const QueryOptions& options = {}) const;
+  /// What is on, in and next to what, by subject, object and kind.
+  Result<std::vector<Relation>> Relations(const RelationOptions& options = {}) const;
 
  protected:
   explicit Queries(std::shared_ptr<Source> source);

@@ -36,14 +36,14 @@ class [[nodiscard]] Result {
   // These require ok().
   T& operator*() & { return *value_; }
   const T& operator*() const& { return *value_; }
-  T&& operator*() && { return *std::move(value_); }
+  T operator*() && { return *std::move(value_); }  // no reference: `for (x : *Find())` keeps it
   T* operator->() { return &*value_; }
   const T* operator->() const { return &*value_; }
 
   /// Throws BadResult if there is none, as nothing else in this library does.
   T& value() & { return Checked(), *value_; }
   const T& value() const& { return Checked(), *value_; }
-  T&& value() && { return Checked(), *std::move(value_); }
+  T value() && { return Checked(), *std::move(value_); }
 
  private:
   void Checked() const {

@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "clients/cpp/calls/error.h"
 #include "clients/cpp/src/convert/geometry.h"
-#include "clients/cpp/src/error.h"
 
 namespace dhpmap::client {
 namespace {

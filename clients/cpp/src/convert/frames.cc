@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "clients/cpp/calls/error.h"
 #include "clients/cpp/src/convert/geometry.h"
-#include "clients/cpp/src/error.h"
 
 namespace dhpmap::client {
 namespace {

@@ -30,6 +30,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--info", action="store_true", help="list topics, types, counts, and what each is taken for")
     parser.add_argument("--map", help="feed it into this map")
     parser.add_argument("--server", default="localhost:50051", help="address (%(default)s)")
+    parser.add_argument("--token-file", metavar="FILE", help="file with your key, of mode 600")
+    parser.add_argument("--ca", metavar="FILE", help="PEM file of who signed the server's certificate, or 'system' for "
+                        "those this system trusts: with TLS")
     parser.add_argument("--session", default="mcap", help="name of the robot (%(default)s)")
     parser.add_argument("--label-set", choices=dhpmap.label_sets(), help="make the map if there is none, with these "
                         "classes; label images without a table hold its ids")
@@ -71,7 +74,10 @@ def _feed(given: argparse.Namespace, options: FrameOptions) -> None:
     classes = dhpmap.label_set(given.label_set, ids=numbered) if given.label_set else []
     if classes and not given.label_table:
         options["classes"] = {its.id: its.name for its in classes}
-    with dhpmap.connect(given.server) as server:
+    secured: Any = {"tls": True} if given.ca == "system" else {"ca": given.ca} if given.ca else {}
+    if given.token_file:
+        secured["token_file"] = given.token_file
+    with dhpmap.connect(given.server, **secured) as server:
         if given.map not in server and given.label_set:
             target = server.create(given.map, classes, preset="outdoor_lidar" if given.cloud else "indoor")
         else:
@@ -91,7 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             _tell(Recording(given.file), options)
         if given.map:
             _feed(given, options)
-    except dhpmap.Error as error:
+    except (dhpmap.Error, OSError) as error:
         print(f"dhpmap.mcap: {error}", file=sys.stderr)
         return 1
     return 0

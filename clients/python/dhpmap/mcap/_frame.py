@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from dhpmap._camera import Camera
 from dhpmap._feed import Feed
-from dhpmap._frames import Segment
+from dhpmap._frames import LidarImage, Segment
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -39,7 +39,10 @@ class RgbdFrame:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class LidarFrame:
-    """A scan, with what Feed.lidar takes: points_m (N, 3) in the LiDAR's frame, rgb (N, 3), segment_ids (N,)."""
+    """A scan, with what Feed.lidar takes: points_m (N, 3) in the LiDAR's frame, rgb (N, 3), segment_ids (N,).
+
+    image: of a camera beside it, seen from where the LiDAR was; None: there is none, or it was not asked for.
+    """
 
     stamp_ns: int
     T_map_lidar: NDArray[np.float64]
@@ -47,8 +50,9 @@ class LidarFrame:
     rgb: NDArray[np.uint8] | None
     segment_ids: NDArray[np.generic] | None
     segments: list[Segment] | None
+    image: LidarImage | None = None
 
     def feed_to(self, feed: Feed) -> int:
         """The frame's sequence."""
         return feed.lidar(self.points_m, self.T_map_lidar, self.stamp_ns, segment_ids=self.segment_ids,
-                          segments=self.segments, rgb=self.rgb)
+                          segments=self.segments, rgb=self.rgb, image=self.image)

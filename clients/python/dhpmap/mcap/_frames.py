@@ -8,6 +8,9 @@ from collections import deque
 from collections.abc import Iterator, Mapping
 from typing import Any, Unpack
 
+import numpy as np
+from numpy.typing import NDArray
+
 from dhpmap._errors import InvalidArgument
 from dhpmap.mcap._build import Builder
 from dhpmap.mcap._frame import LidarFrame, RgbdFrame
@@ -111,9 +114,10 @@ class Frames:
             self._waiting_bytes += joined[0].num_bytes
         while self._waiting:
             lead, others = self._waiting[0]
-            frame_id = lead.message.frame_id
+            image = others.get(self._chosen.labels) or others.get(self._chosen.color) if self._chosen.is_cloud else None
             try:
-                pose = self._transforms.lookup(self._options.get("map_frame", "map"), frame_id, lead.stamp_ns)
+                pose = self._pose_of(lead.message)
+                image_pose = self._pose_of(image) if image is not None else None
             except Gap as gap:
                 waited = now_ns - lead.log_time_ns > WAIT_S * 1e9 or self._waiting_bytes > MOST_WAITING_BYTES
                 if gap.may_come and not (is_end or waited):
@@ -123,9 +127,13 @@ class Frames:
             self._drop()
             self._has_made = True
             if self._chosen.is_cloud:
-                yield self._builder.lidar(lead.message, others, pose)
+                yield self._builder.lidar(lead.message, others, pose, image_pose)
             else:
                 yield self._builder.rgbd(lead.message, others, pose)
+
+    def _pose_of(self, message: Any) -> NDArray[np.float64]:
+        """Of its frame in the map, at its stamp. Raises Gap."""
+        return self._transforms.lookup(self._options.get("map_frame", "map"), message.frame_id, message.stamp_ns)
 
     def _leave_out(self, gap: Gap, is_end: bool) -> None:
         told = Gap(f"{gap.args[0]}; frames that /tf names: {', '.join(self._transforms.frames) or 'none'} "

@@ -11,8 +11,10 @@ class FrameOptions(TypedDict, total=False):
 
     Attributes:
         depth: of depth images; or cloud: of clouds, instead.
-        color, camera_info: of images of the depth images' size and frame, and of their camera.
-        labels: of label images of that size, an integer a pixel. Of a cloud: give label_field instead.
+        color, camera_info: of images of the depth images' size and frame, and of their camera. Beside a cloud, images
+            of one camera if they are named: the cloud's points that it does not show are dropped, the others take
+            their colours and labels from it.
+        labels: of label images of that size, an integer a pixel. Of a cloud: give this or label_field.
         label_field: the integer field of a cloud that holds labels, such as "label".
         label_table: what ids are: of vision_msgs/LabelInfo (classes), or of vision_msgs/Detection2DArray (a segment a
             detection, whose id is the pixels' value).

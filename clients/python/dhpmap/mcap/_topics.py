@@ -57,15 +57,17 @@ def choose(topics: Sequence[Topic], options: FrameOptions) -> Chosen:
         raise InvalidArgument(f"no topic holds depth images or clouds: say depth= or cloud=; there are {_told(topics)}")
     beside = None if depth else ""  # a cloud has no images, unless they are asked for
     labels = _one("labels", topics, options.get("labels", beside))
-    if cloud and (labels or options.get("color")):
-        raise InvalidArgument("images beside a cloud are not read: give label_field= of the cloud")
+    if labels and options.get("label_field"):
+        raise InvalidArgument("labels and label_field are both given: take an image's labels, or those of the cloud")
+    color = _one("color", topics, options.get("color", beside))
+    image = depth or color or labels
     has_labels = bool(labels or options.get("label_field"))
     table = _one("label_table", topics, options.get("label_table", None if has_labels else ""))
     if has_labels and not (table or options.get("classes")):
         raise InvalidArgument(f"nothing says what the ids of {labels or 'the labels'} are: say label_table= or "
                               "classes=, or labels='' to feed without")
-    return Chosen(depth or cloud, not depth, _one("color", topics, options.get("color", beside)),
-                  _camera_info(topics, depth, options.get("camera_info")) if depth else "", labels, table,
+    return Chosen(depth or cloud, not depth, color,
+                  _camera_info(topics, image, options.get("camera_info")) if image else "", labels, table,
                   tuple(its.name for its in topics if role_of(its) == "tf"))
 
 
@@ -90,17 +92,17 @@ def _one(role: str, topics: Sequence[Topic], named: str | None) -> str:
     return best[0].name if best else ""
 
 
-def _camera_info(topics: Sequence[Topic], depth: str, named: str | None) -> str:
-    """That beside the depth images, up to two levels above."""
+def _camera_info(topics: Sequence[Topic], image: str, named: str | None) -> str:
+    """That beside the images, up to two levels above."""
     if named:
         return _one("camera_info", topics, named)
     infos = {its.name for its in topics if role_of(its) == "camera_info"}
-    parent = depth
+    parent = image
     for _ in range(3):
         parent = parent.rpartition("/")[0]
         if f"{parent}/camera_info" in infos:
             return f"{parent}/camera_info"
-    raise InvalidArgument(f"no camera_info lies beside {depth}: say camera_info=; there are "
+    raise InvalidArgument(f"no camera_info lies beside {image}: say camera_info=; there are "
                           f"{', '.join(sorted(infos)) or 'none'}")
 
 

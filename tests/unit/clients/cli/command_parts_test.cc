@@ -178,12 +178,12 @@ TEST(ChangePose, RefusesToTurnWhatHasNoPlace) {
 }
 
 TEST(ExitCodeOf, TellsClassesOfErrorsApart) {
-  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::OK), ExitCode::kOk);
-  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::FAILED_PRECONDITION), ExitCode::kBadRequest);
-  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::NOT_FOUND), ExitCode::kNotFound);
-  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::ABORTED), ExitCode::kConflict);
-  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::UNAVAILABLE), ExitCode::kUnreachable);
-  EXPECT_EQ(ExitCodeOf(grpc::StatusCode::DATA_LOSS), ExitCode::kServerFailed);
+  EXPECT_EQ(ExitCodeOf(client::StatusCode::kOk), ExitCode::kOk);
+  EXPECT_EQ(ExitCodeOf(client::StatusCode::kFailedPrecondition), ExitCode::kBadRequest);
+  EXPECT_EQ(ExitCodeOf(client::StatusCode::kNotFound), ExitCode::kNotFound);
+  EXPECT_EQ(ExitCodeOf(client::StatusCode::kAborted), ExitCode::kConflict);
+  EXPECT_EQ(ExitCodeOf(client::StatusCode::kUnavailable), ExitCode::kUnreachable);
+  EXPECT_EQ(ExitCodeOf(client::StatusCode::kDataLoss), ExitCode::kServerFailed);
 }
 
 TEST(OutputFile, IsThereOnlyOnceComplete) {

@@ -10,6 +10,7 @@
 
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "dhpmap/v1/watch_service.grpc.pb.h"
+#include "tests/support/assert_ok.h"
 #include "tests/support/eventually.h"
 
 namespace dhpmap {
@@ -54,8 +55,10 @@ class FinishingServer final : public v1::MappingService::Service, public v1::Wat
     Eventually([&] { return context->IsCancelled(); });
     return grpc::Status::OK;
   }
-  [[nodiscard]] std::shared_ptr<grpc::Channel> Connect() const {
-    return grpc::CreateChannel("127.0.0.1:" + std::to_string(port_), grpc::InsecureChannelCredentials());
+  [[nodiscard]] std::shared_ptr<client::Caller> Connect() const {
+    auto caller = client::Caller::Connect("127.0.0.1:" + std::to_string(port_), {});
+    EXPECT_OK(caller);
+    return *std::move(caller);
   }
 
   std::atomic<bool> has_begun = false, may_end = false, was_cancelled = false, has_ended = false;
@@ -75,10 +78,9 @@ TEST(FinishCall, TellsTheStagesInTheirOrder) {
                                       if (progress.stage() == v1::FinishProgress::STORING) server.may_end = true;
                                     },
                                 .is_interrupted = {}};
-  v1::FinishMappingResponse response;
-  const grpc::Status status = CallFinish(server.Connect(), "maps/room", listener, response);
-  EXPECT_TRUE(status.ok()) << status.error_message();
-  EXPECT_EQ(response.revision(), 7);
+  const auto finished = CallFinish(*server.Connect(), "maps/room", listener);
+  ASSERT_OK(finished);
+  EXPECT_EQ(finished->revision(), 7);
   EXPECT_EQ(told,
             (std::vector{v1::FinishProgress::WAITING, v1::FinishProgress::REFINING, v1::FinishProgress::STORING}));
 }
@@ -87,9 +89,8 @@ TEST(FinishCall, IsCancelledAtTheServerWhenItIsInterrupted) {
   FinishingServer server;
   const FinishListener listener{.on_progress = [](const v1::FinishProgress&) {},
                                 .is_interrupted = [&server] { return server.has_begun.load(); }};
-  v1::FinishMappingResponse response;
-  const grpc::Status status = CallFinish(server.Connect(), "maps/room", listener, response);
-  EXPECT_EQ(status.error_code(), grpc::StatusCode::CANCELLED);
+  const auto finished = CallFinish(*server.Connect(), "maps/room", listener);
+  EXPECT_EQ(finished.status().code, client::StatusCode::kCancelled);
   EXPECT_TRUE(Eventually([&] { return server.has_ended.load(); }));
   EXPECT_TRUE(server.was_cancelled);
 }
@@ -99,9 +100,9 @@ TEST(FinishCall, IsMadeWhereNobodyMayWatch) {
   server.may_end = true;
   int num_told = 0;
   const FinishListener listener{.on_progress = [&](const v1::FinishProgress&) { ++num_told; }, .is_interrupted = {}};
-  v1::FinishMappingResponse response;
-  EXPECT_TRUE(CallFinish(server.Connect(), "maps/room", listener, response).ok());
-  EXPECT_EQ(response.revision(), 7);
+  const auto finished = CallFinish(*server.Connect(), "maps/room", listener);
+  ASSERT_OK(finished);
+  EXPECT_EQ(finished->revision(), 7);
   EXPECT_EQ(num_told, 0);
 }
 

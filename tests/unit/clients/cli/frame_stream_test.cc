@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clients/cli/frame_stream.h"
 
-#include <grpcpp/server.h>
-#include <grpcpp/server_builder.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <mutex>
 #include <numeric>
 
 #include "clients/cli/ack_summary.h"
 #include "clients/cli/frame_message.h"
+#include "tests/support/assert_ok.h"
+#include "tests/unit/clients/cpp/scripted_server.h"
 
 namespace dhpmap {
 namespace {
@@ -51,6 +50,7 @@ class FakeMapping : public v1::MappingService::Service {
     const auto answer = [&] {
       for (std::int64_t sequence : pending) {
         v1::IntegrateFramesResponse ack;
+        ack.set_outcome(v1::IntegrateFramesResponse::FUSED);
         ack.set_sequence(sequence);
         stream->Write(ack);
       }
@@ -69,34 +69,49 @@ class FakeMapping : public v1::MappingService::Service {
   }
 };
 
+std::shared_ptr<client::Caller> ConnectTo(const std::string& address) {
+  auto caller = client::Caller::Connect(address, {});
+  EXPECT_OK(caller);
+  return *std::move(caller);
+}
+
+std::vector<std::size_t> IndicesOf(std::size_t num_frames) {
+  std::vector<std::size_t> indices(num_frames);
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
 class StreamFramesTest : public ::testing::Test {
  protected:
-  grpc::Status Stream(std::size_t num_frames) {
-    grpc::ServerBuilder builder;
-    builder.RegisterService(&service_);
-    const auto server = builder.BuildAndStart();
-    const auto stub = v1::MappingService::NewStub(server->InProcessChannel({}));
-    std::vector<std::size_t> indices(num_frames);
-    std::iota(indices.begin(), indices.end(), 0);
-    FrameQueue queue(dataset_, indices, false, [this](std::size_t index, const Status&) { skipped_.push_back(index); });
-    const grpc::Status status =
-        StreamFrames(*stub, {.map = "maps/m"}, queue, [&](const v1::IntegrateFramesResponse& ack) {
-          acks_.push_back(ack.sequence());
-          if (static_cast<int>(acks_.size()) == stop_after_) queue.Stop();
-        });
-    server->Shutdown();
-    return status;
+  client::Status Stream(std::size_t num_frames) {
+    const testing::ScriptedServer server(service_);
+    const FrameHooks hooks{.read = [this](const auto& left) { return Read(left); },
+                           .on_stored_before = [](std::size_t) { ADD_FAILURE() << "of a session without a name"; },
+                           .on_ack =
+                               [this](const v1::IntegrateFramesResponse& ack) {
+                                 acks_.push_back(ack.sequence());
+                                 is_stopped_ = static_cast<int>(acks_.size()) == stop_after_ || is_stopped_;
+                               },
+                           .on_progress = [](const auto&) {},
+                           .reconnect = [](const auto&) { return true; },
+                           .is_interrupted = [this] { return is_stopped_.load(); }};
+    return StreamFrames(ConnectTo(server.address()), {.map = "maps/m"}, IndicesOf(num_frames), hooks);
+  }
+  std::unique_ptr<FrameQueue> Read(const std::vector<std::size_t>& left) {
+    return std::make_unique<FrameQueue>(dataset_, left, false,
+                                        [this](std::size_t index, const Status&) { skipped_.push_back(index); });
   }
   FakeDataset dataset_;
   FakeMapping service_;
   std::vector<std::int64_t> acks_;
   std::vector<std::size_t> skipped_;
   int stop_after_ = -1;
+  std::atomic<bool> is_stopped_ = false;
 };
 
 TEST_F(StreamFramesTest, SendsAllFramesInOrderAndNamesTheMapOnce) {
-  const grpc::Status status = Stream(50);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  const client::Status status = Stream(50);
+  ASSERT_TRUE(status.ok()) << status.message;
   EXPECT_EQ(service_.map, "maps/m");
   EXPECT_EQ(acks_.size(), 45u);
   EXPECT_EQ(acks_, service_.stamps);
@@ -112,16 +127,16 @@ TEST_F(StreamFramesTest, KeepsEightFramesOnTheirWay) {
 
 TEST_F(StreamFramesTest, EndsWithTheServersErrorWhileFramesAreLeft) {
   service_.fail_after = 3;
-  const grpc::Status status = Stream(1000);
-  EXPECT_EQ(status.error_code(), grpc::StatusCode::ABORTED);
-  EXPECT_EQ(status.error_message(), "another stream");
+  const client::Status status = Stream(1000);
+  EXPECT_EQ(status.code, client::StatusCode::kAborted);
+  EXPECT_EQ(status.message, "another stream");
   EXPECT_LT(dataset_.num_read, 100) << "reading must end too";
 }
 
-TEST_F(StreamFramesTest, StopsInGoodOrderWhenTheQueueIsStopped) {
+TEST_F(StreamFramesTest, StopsInGoodOrderWhenItIsInterrupted) {
   stop_after_ = 5;
-  const grpc::Status status = Stream(1000);
-  EXPECT_TRUE(status.ok()) << status.error_message();
+  const client::Status status = Stream(1000);
+  EXPECT_TRUE(status.ok()) << status.message;
   EXPECT_EQ(acks_.size(), service_.stamps.size()) << "everything sent is acknowledged";
   EXPECT_LT(acks_.size(), 50u);
 }
@@ -169,25 +184,19 @@ class FakeSessions : public v1::MappingService::Service {
 
 class StreamSessionTest : public ::testing::Test {
  protected:
-  grpc::Status Stream(const FrameSession& session, std::size_t num_frames) {
-    grpc::ServerBuilder builder;
-    builder.RegisterService(&service_);
-    const auto server = builder.BuildAndStart();
-    const auto stub = v1::MappingService::NewStub(server->InProcessChannel({}));
-    std::vector<std::size_t> indices(num_frames);
-    std::iota(indices.begin(), indices.end(), 0);
-    const grpc::Status status = StreamSession(
-        *stub, session, indices,
-        {.read =
-             [this](const std::vector<std::size_t>& left) {
-               return std::make_unique<FrameQueue>(dataset_, left, false, [](std::size_t, const Status&) {});
-             },
-         .on_stored_before = [this](std::size_t count) { stored_before_.push_back(count); },
-         .on_ack = [this](const v1::IntegrateFramesResponse& ack) { EXPECT_FALSE(summary_.AddAck(ack)); },
-         .on_progress = [this](const v1::IntegrateFramesResponse& a) { summary_.AddProgress(a); },
-         .reconnect = [this](const grpc::Status&) { return ++num_lost_ < max_lost_; }});
-    server->Shutdown();
-    return status;
+  client::Status Stream(const FrameSession& session, std::size_t num_frames) {
+    const testing::ScriptedServer server(service_);
+    const FrameHooks hooks{
+        .read =
+            [this](const std::vector<std::size_t>& left) {
+              return std::make_unique<FrameQueue>(dataset_, left, false, [](std::size_t, const Status&) {});
+            },
+        .on_stored_before = [this](std::size_t count) { stored_before_.push_back(count); },
+        .on_ack = [this](const v1::IntegrateFramesResponse& ack) { EXPECT_FALSE(summary_.AddAck(ack)); },
+        .on_progress = [this](const v1::IntegrateFramesResponse& a) { summary_.AddProgress(a); },
+        .reconnect = [this](const client::Status&) { return ++num_lost_ < max_lost_; },
+        .is_interrupted = [] { return false; }};
+    return StreamFrames(ConnectTo(server.address()), session, IndicesOf(num_frames), hooks);
   }
   FakeDataset dataset_;
   FakeSessions service_;
@@ -197,9 +206,9 @@ class StreamSessionTest : public ::testing::Test {
 };
 
 TEST_F(StreamSessionTest, GoesOnAfterEachLostConnectionWithWhatIsNotStored) {
-  const grpc::Status status =
+  const client::Status status =
       Stream({.map = "maps/m", .name = "robot", .take_over = true, .refuse_implausible = true}, 30);
-  ASSERT_TRUE(status.ok()) << status.error_message();
+  ASSERT_TRUE(status.ok()) << status.message;
   std::vector<std::int64_t> wanted;
   for (std::int64_t i = 0; i < 30; ++i) {
     if (i % 10 != 9) wanted.push_back(i);  // the others cannot be read
@@ -229,8 +238,14 @@ TEST_F(StreamSessionTest, SendsOnlyWhatAnEarlierRunHasNotStored) {
 
 TEST_F(StreamSessionTest, EndsIfThereIsNoOtherConnectionAndSaysWhatIsStored) {
   max_lost_ = 1;
-  EXPECT_EQ(Stream({.map = "maps/m", .name = "robot"}, 30).error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(Stream({.map = "maps/m", .name = "robot"}, 30).code, client::StatusCode::kUnavailable);
   EXPECT_LE(summary_.num_stored(), 4u);
+}
+
+TEST_F(StreamSessionTest, AFrameThatEndsTheServerEachTimeEndsItAfterTenMore) {
+  service_.break_after = 1;
+  EXPECT_EQ(Stream({.map = "maps/m", .name = "robot"}, 30).code, client::StatusCode::kUnavailable);
+  EXPECT_EQ(num_lost_, 11);
 }
 
 TEST(ToMessage, CarriesImagesPoseAndSegments) {

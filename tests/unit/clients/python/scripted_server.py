@@ -43,7 +43,7 @@ class Wire:
         self._target, self._pairs, self._is_whole = (host, int(port)), [], True
         self._door = socket.create_server(("127.0.0.1", 0))
         self.address = f"127.0.0.1:{self._door.getsockname()[1]}"
-        self.num_connections = 0
+        self.num_connections, self.has_refused = 0, threading.Event()
         threading.Thread(target=self._accept, daemon=True).start()
 
     def _accept(self):
@@ -54,6 +54,7 @@ class Wire:
                 return
             if not self._is_whole:
                 near.close()
+                self.has_refused.set()
                 continue
             self.num_connections += 1
             far = socket.create_connection(self._target)

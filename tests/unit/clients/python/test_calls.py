@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Deadlines, retries and errors, against a server that answers as it is told."""
 import asyncio
+import concurrent.futures
 
 import grpc
 import numpy as np
@@ -10,7 +11,7 @@ import dhpmap
 from dhpmap import _call, _columns
 from dhpmap.v1 import (edit_service_pb2, map_service_pb2, query_service_pb2, rpc_error_details_pb2, rpc_status_pb2)
 from mapped_apartment import feed_recording, label_set
-from scripted_server import ScriptedServer
+from scripted_server import ScriptedServer, Wire
 
 MAP = map_service_pb2.GetMapResponse(map={"name": "maps/a"}).SerializeToString()
 LOST = (grpc.StatusCode.UNAVAILABLE, "gone for a moment")
@@ -41,6 +42,28 @@ def test_a_query_whose_answer_is_lost_is_asked_again():
         d = connection["a"].distances((1, 2, 3))
     assert d.revision == 7 and d.distance_m == 0.5 and d.object_id == -1 and d.clamped
     assert len({request for _, request in server.requests[1:]}) == 1
+
+
+@pytest.mark.parametrize("asks", ["call", "loop"])
+def test_who_has_met_no_server_is_answered_as_soon_as_it_is_back(asks, server):
+    with Wire(server.address) as wire, dhpmap.connect(wire.address) as other:
+        target = other["apartment"]
+        source = target.loop() if asks == "loop" else target
+        assert source.distances((2, 2, 1)).revision > 0
+        wire.cut()
+        with concurrent.futures.ThreadPoolExecutor(1) as pool:
+            asked = pool.submit(source.distances, (2, 2, 1), deadline_s=4)  # gRPC looks at idle channels every 5 s
+            assert wire.has_refused.wait(60)
+            wire.mend()
+            assert asked.result().revision > 0
+
+
+def test_who_meets_no_server_until_the_deadline_is_told_so(server):
+    with Wire(server.address) as wire, dhpmap.connect(wire.address) as other:
+        target = other["apartment"]
+        wire.cut()
+        with pytest.raises(dhpmap.Unavailable, match="is dhpmap-server running at 127.0.0.1"):
+            target.distances((1, 2, 3), deadline_s=0.5)
 
 
 def test_an_edit_that_is_sent_again_keeps_its_request_id():

@@ -7,6 +7,7 @@ import pytest
 
 import dhpmap
 from dhpmap import _call
+from dhpmap._picture import png_of
 from mapped_apartment import camera_of, feed_recording, frames_of, label_set
 from scripted_server import Wire
 
@@ -125,6 +126,19 @@ def test_points_of_a_scan_take_what_an_image_beside_it_shows(empty):
             feed.lidar(points, np.eye(4), 9, image=dhpmap.LidarImage(P))
     owners = empty.points([(2, 0.4, 1), (2, -0.4, 1)]).object_id
     assert owners.tolist() == [empty.find("wall")[0].id, empty.find("box")[0].id]
+
+
+def test_the_image_beside_a_scan_may_be_a_file(empty):
+    P = [[32, -40, 0, 0], [24, 0, -40, 0], [1, 0, 0, 0]]
+    y, z = np.meshgrid(np.arange(-1, 1, 0.02), np.arange(-0.5, 0.5, 0.02))
+    points = np.stack([np.full(y.size, 2.0), y.ravel(), z.ravel()], axis=-1)
+    red = png_of(np.full((48, 64, 3), (200, 10, 20), np.uint8))
+    with empty.feed("robot1") as feed:
+        for stamp in range(1, 5):
+            feed.lidar(points, dhpmap.pose(0, 0, 1), stamp, image=dhpmap.LidarImage(P, rgb=red, shape=(48, 64)))
+        with pytest.raises(dhpmap.InvalidArgument, match="has a file for rgb, and no shape"):
+            feed.lidar(points, np.eye(4), 9, image=dhpmap.LidarImage(P, rgb=red))
+    assert np.abs(empty.points([(2, 0.4, 1)]).rgb[0].astype(int) - (200, 10, 20)).max() <= 1
 
 
 def test_who_takes_the_session_over_ends_it_for_the_other(empty):

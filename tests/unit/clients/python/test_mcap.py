@@ -4,12 +4,14 @@ import json
 import pathlib
 import zlib
 
+import grpc
 import numpy as np
 import pytest
 
 import dhpmap
 import dhpmap.mcap
 from dhpmap.mcap.__main__ import main
+from scripted_server import ScriptedServer
 
 FOLDER = pathlib.Path(__file__).parent / "mcap"
 TRUTH = json.loads((FOLDER / "truth.json").read_text())
@@ -121,6 +123,20 @@ def test_the_command_makes_a_map_of_a_label_set(server, connection, capsys):
     assert "mcap_new" in capsys.readouterr().err
     assert main([*arguments, "--label-set", "coco_panoptic"]) == 0
     assert len(connection["mcap_new"].info.classes) == 133 and connection["mcap_new"].info.num_frames == 6
+
+
+def test_the_command_shows_a_key_and_trusts_whom_it_is_told(tmp_path, capsys):
+    key = tmp_path / "anna.key"
+    key.write_text("secret\n")
+    key.chmod(0o600)
+    walk, refusal = str(FOLDER / "walk.mcap"), (grpc.StatusCode.PERMISSION_DENIED, "not yours")
+    with ScriptedServer(refusal) as server:
+        assert main([walk, "--map", "a", "--server", server.address, "--token-file", str(key)]) == 1
+    assert server.metadata[0]["authorization"] == "Bearer secret"
+    assert "not yours" in capsys.readouterr().err
+    elsewhere = [walk, "--map", "a", "--server", "robot.example:50051", "--token-file", str(key)]
+    assert main(elsewhere) == 1 and "in the clear" in capsys.readouterr().err
+    assert main([*elsewhere, "--ca", str(tmp_path / "none")]) == 1 and "none" in capsys.readouterr().err
 
 
 def test_the_command_says_what_is_wrong(capsys):

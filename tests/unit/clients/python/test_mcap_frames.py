@@ -288,6 +288,47 @@ def test_messages_of_another_layout_are_told(tmp_path):
             list(frames(recording.write(tmp_path / "its.mcap")))
 
 
+XYZ = [("x", 0, 7), ("y", 4, 7), ("z", 8, 7)]
+
+
+def beside_a_cloud(tmp_path, *more, image_ms=110, label_frame="camera"):
+    """A cloud at 100 ms, and images at another time, 10 mm further on for each 10 ms."""
+    cloud = made.point_cloud(100 * MS, XYZ, 12, [struct.pack("<3f", 0.1, 0.2, 2), struct.pack("<3f", 0, 0, 5)])
+    lidar = made.transforms((0, "base", "lidar", (0, 0, 2), (0, 0, 0, 1)))
+    labels = made.image(image_ms * MS, "16UC1", rows("<u2", [[0, 10, 10, 0]] * 3), 4, label_frame)
+    its = [("/tf_static", TF, 0, lidar), ("/points", "sensor_msgs/msg/PointCloud2", 100, cloud), color(image_ms),
+           ("/cam/labels", IMAGE, image_ms, labels), *more]
+    return recorded(tmp_path, *its, stamps_ms=(100,))
+
+
+def test_images_beside_a_cloud_are_seen_from_where_the_lidar_was(tmp_path):
+    (got,) = frames(beside_a_cloud(tmp_path), cloud="/points", color="/cam/color", labels="/cam/labels",
+                    classes={10: "car"})
+    K = np.array([[50, 0, 2], [0, 50, 1.5], [0, 0, 1]])
+    T_camera_lidar = np.array([[1, 0, 0, -0.01], [0, 1, 0, 0], [0, 0, 1, 1]])  # the camera came later, and lies lower
+    assert np.allclose(got.image.P_image_lidar, K @ T_camera_lidar, atol=1e-9)
+    assert got.image.rgb.shape == (3, 4, 3) and (got.image.labels == [[0, 10, 10, 0]] * 3).all()
+    assert [(its.id, its.class_name) for its in got.segments] == [(10, "car")]
+    assert got.segment_ids is None and got.rgb is None and got.T_map_lidar[:3, 3].round(9).tolist() == [0.1, 0, 2]
+    (bare,) = frames(beside_a_cloud(tmp_path), cloud="/points")
+    assert bare.image is None and bare.segments is None
+
+
+def test_a_cloud_without_an_image_of_its_time_is_left_out(tmp_path):
+    path, options = beside_a_cloud(tmp_path, image_ms=150), {"cloud": "/points", "color": "/cam/color"}
+    with pytest.warns(McapWarning, match="of 1 frames, 1 were left out for want of an image"):
+        assert not list(frames(path, **options))
+    assert len(list(frames(path, tolerance_s=0.06, **options))) == 1
+
+
+def test_images_beside_a_cloud_are_of_one_camera_and_labels_of_one_kind(tmp_path):
+    images = {"cloud": "/points", "color": "/cam/color", "labels": "/cam/labels", "classes": {10: "car"}}
+    with pytest.raises(dhpmap.InvalidArgument, match="'camera'.*'base': images beside a cloud are of one camera"):
+        list(frames(beside_a_cloud(tmp_path, label_frame="base"), **images))
+    with pytest.raises(dhpmap.InvalidArgument, match="labels and label_field are both given"):
+        frames(beside_a_cloud(tmp_path), label_field="label", **images)
+
+
 def test_a_cloud_of_either_byte_order_leaves_out_what_is_no_return(tmp_path):
     fields = [("x", 0, 7), ("y", 4, 7), ("z", 8, 7), ("rgb", 12, 7), ("label", 16, 4)]
     for order, is_big in (("<", 0), (">", 1)):

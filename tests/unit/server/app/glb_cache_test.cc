@@ -69,15 +69,17 @@ class KeptGlb : public ::testing::Test {
       return Status::Ok();
     });
     EXPECT_TRUE(file.ok());
-    std::string bytes, piece;
-    while (file->Next(piece)) bytes += piece;
-    EXPECT_EQ(bytes.size(), file->num_bytes());
-    EXPECT_EQ(bytes.substr(0, 4), "glTF");
+    std::string piece;
+    bytes_.clear();
+    while (file->Next(piece)) bytes_ += piece;
+    EXPECT_EQ(bytes_.size(), file->num_bytes());
+    EXPECT_EQ(bytes_.substr(0, 4), "glTF");
     return file->etag();
   }
 
   GlbCache cache_{1u << 20};
   int num_made_ = 0;
+  std::string bytes_;  // of the file that came last
 };
 
 TEST_F(KeptGlb, OfTheSameStateTakesNeitherRoomNorTimeAgain) {
@@ -95,6 +97,34 @@ TEST_F(KeptGlb, OfTheSameStateTakesNeitherRoomNorTimeAgain) {
   EXPECT_EQ(num_made_, 2);
   (void)EtagOfOne(later, 2);
   EXPECT_EQ(num_made_, 3);
+}
+
+/// What the node of the file's one object says of it.
+std::string ExtrasIn(const std::string& bytes) {
+  const std::size_t begin = bytes.find(R"("extras":)") + 9;
+  return bytes.substr(begin, bytes.find('}', begin) + 1 - begin);
+}
+
+TEST_F(KeptGlb, SaysOfAnObjectWhatItIsAndIsAnotherFileOnceThatChanges) {
+  const auto map_with = [](const std::string& class_name, std::uint64_t num_seen) {
+    Submap ball = Ball(1, 0);
+    ball.mutable_info().panoptic = Panoptic::kThing;
+    ball.mutable_info().class_id = ClassId(8);
+    ball.mutable_info().class_counts = {{ClassId(8), num_seen}, {ClassId(9), 10}};
+    MapInfo info = MapOf({})->info();
+    info.label_set = std::make_shared<LabelSet>(LabelSet::Create({{.id = ClassId(8), .name = class_name}}).value());
+    return std::make_shared<const MapSnapshot>(info, std::vector{std::make_shared<const Submap>(std::move(ball))});
+  };
+  const std::string sofa = EtagOfOne(map_with("sofa", 30), 1);
+  EXPECT_EQ(ExtrasIn(bytes_), R"({"instance_id":1,"class_id":8,"class_name":"sofa","class_confidence":0.75})");
+  EXPECT_NE(EtagOfOne(map_with("sofa", 40), 1), sofa);
+  EXPECT_NE(EtagOfOne(map_with(R"(so"fa)", 30), 1), sofa);
+  EXPECT_EQ(ExtrasIn(bytes_), R"({"instance_id":1,"class_id":8,"class_name":"so\"fa","class_confidence":0.75})");
+  std::vector<Submap> nobody;
+  nobody.push_back(Ball(1, 0));
+  nobody[0].mutable_info().panoptic = Panoptic::kUnknown;
+  EXPECT_NE(EtagOfOne(MapOf(std::move(nobody)), 1), sofa);
+  EXPECT_EQ(ExtrasIn(bytes_), R"({"instance_id":1})") << "unknown";
 }
 
 TEST_F(KeptGlb, OfNoSuchSubmapOrWithoutRoomIsAnErrorThatKeepsNothing) {

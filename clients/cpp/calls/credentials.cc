@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clients/cpp/src/credentials.h"
+#include "clients/cpp/calls/credentials.h"
 
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
-#include <sstream>
+#include <string_view>
 #include <system_error>
 
-#include "clients/cpp/src/error.h"
+#include "clients/cpp/calls/error.h"
 
 namespace dhpmap::client {
 namespace {
 
-bool IsThisMachine(const std::string& address) {
-  return address.starts_with("localhost:") || address.starts_with("127.0.0.1:") || address.starts_with("[::1]:") ||
-         address.starts_with("unix:");
+constexpr int kMostToken = 4096;
+
+bool IsThisMachine(std::string_view address) {
+  if (address.starts_with("unix:") || address.starts_with("[::1]:")) return true;
+  const std::string_view host = address.substr(0, address.rfind(':'));
+  return host == "localhost" ||
+         (host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string_view::npos);
 }
 
 /// Reads a PEM file into `text`, unless none is named.
@@ -61,8 +66,9 @@ Result<std::string> TokenOf(const ConnectOptions& options) {
   if (of_others != perms::none) {
     return BadArgument("token_file", file + " is open to others than its owner: chmod 600 it");
   }
-  std::string token, more;
-  if (!(in >> token) || in >> more) return BadArgument("token_file", file + " holds no key");
+  std::string token;
+  char more = 0;
+  if (!(in >> std::setw(kMostToken) >> token) || in >> more) return BadArgument("token_file", file + " holds no key");
   return token;
 }
 

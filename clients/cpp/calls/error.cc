@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clients/cpp/src/error.h"
+#include "clients/cpp/calls/error.h"
 
 #include <utility>
 
@@ -41,7 +41,7 @@ Status StatusOf(const grpc::Status& status, const std::string& address) {
   if (!is_told && told.code() == grpc::UNKNOWN && told.message().find("Stream removed") != std::string::npos) {
     told.set_code(grpc::UNAVAILABLE);
   }
-  if (!is_told && told.code() == grpc::UNAVAILABLE) {
+  if (!is_told && !address.empty() && told.code() == grpc::UNAVAILABLE) {
     told.set_message(told.message() + "; is dhpmap-server running at " + address + "?");
   }
   return StatusOf(told);

@@ -14,7 +14,7 @@ Status Error(StatusCode code, std::string message);
 /// A mistake that was found before anything was sent.
 Status BadArgument(std::string field, std::string description);
 
-/// What a call came to; of one that met no server, where that was looked for.
+/// What a call came to; of one that met no server also where that was looked for, unless `address` is empty.
 Status StatusOf(const grpc::Status& status, const std::string& address);
 /// What a message tells.
 Status StatusOf(const google::rpc::Status& status);

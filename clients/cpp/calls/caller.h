@@ -10,9 +10,11 @@
 #include <tuple>
 #include <utility>
 
-#include "clients/cpp/src/pauses.h"
+#include "clients/cpp/calls/parts.h"
+#include "clients/cpp/calls/pauses.h"
 #include "dhpmap/options.h"
 #include "dhpmap/result.h"
+#include "dhpmap/v1/auth_service.grpc.pb.h"
 #include "dhpmap/v1/edit_service.grpc.pb.h"
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
@@ -25,9 +27,14 @@ namespace dhpmap::client {
 /// A call that met no server is sent again, unless it would be done twice: it carries no request_id.
 enum class Again { kYes, kNo };
 
-/// A connection, and the only caller of unary methods: deadlines, repetitions, errors. Thread-safe.
+/// A connection, and the only caller of methods: who calls, deadlines, repetitions, errors. Thread-safe.
 class Caller {
  public:
+  /// Without a look at the server, which the first call meets or not: who asks says where that was.
+  static Result<std::shared_ptr<Caller>> Open(const std::string& address, const ConnectOptions& options);
+  /// Over a channel that is there. One that stays within the process cannot be waited for: Again::kNo.
+  static std::shared_ptr<Caller> Over(const std::shared_ptr<grpc::Channel>& channel,
+                                      const ConnectOptions& options = {});
   /// Unavailable if no server answers within options.connect_s.
   static Result<std::shared_ptr<Caller>> Connect(const std::string& address, const ConnectOptions& options);
 
@@ -42,6 +49,20 @@ class Caller {
                 deadline_s, again);
     if (!status.ok()) return status;
     return response;
+  }
+
+  /// The answer to one request, part by part, the last by the deadline; 0: without one. Not sent again.
+  template <typename Stub, typename Request, typename Response>
+  std::unique_ptr<Parts<Response>> Read(
+      std::unique_ptr<grpc::ClientReader<Response>> (Stub::*method)(grpc::ClientContext*, const Request&),
+      const Request& request, double deadline_s = 0) {
+    return std::make_unique<Parts<Response>>(
+        address_,
+        [&](grpc::ClientContext& context) {
+          Introduce(context);
+          if (deadline_s > 0) context.set_deadline(GrpcTime(Clock::now() + Seconds(deadline_s)));
+        },
+        [&](grpc::ClientContext* context) { return (stub<Stub>().*method)(context, request); });
   }
 
   template <typename Stub>
@@ -61,15 +82,18 @@ class Caller {
   [[nodiscard]] const std::string& author() const { return options_.author; }
 
  private:
-  Caller(std::string address, ConnectOptions options, std::string token, const std::shared_ptr<grpc::Channel>& channel);
+  static Result<std::shared_ptr<Caller>> Make(const std::string& address, const ConnectOptions& options,
+                                              const std::string& told_address);
+  Caller(std::string told_address, ConnectOptions options, std::string token,
+         const std::shared_ptr<grpc::Channel>& channel);
   Status Attempt(const std::function<grpc::Status(grpc::ClientContext*)>& call, double deadline_s, Again again) const;
 
-  const std::string address_;
+  const std::string address_;  // as it is told; empty: it is not
   const ConnectOptions options_;
   const std::string token_;
   const std::shared_ptr<grpc::Channel> channel_;
-  std::tuple<v1::EditService::Stub, v1::MapService::Stub, v1::MappingService::Stub, v1::QueryService::Stub,
-             v1::SubmapService::Stub, v1::WatchService::Stub>
+  std::tuple<v1::AuthService::Stub, v1::EditService::Stub, v1::MapService::Stub, v1::MappingService::Stub,
+             v1::QueryService::Stub, v1::SubmapService::Stub, v1::WatchService::Stub>
       stubs_;
 };
 

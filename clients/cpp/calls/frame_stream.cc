@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clients/cpp/src/frame_stream.h"
+#include "clients/cpp/calls/frame_stream.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "clients/cpp/src/error.h"
+#include "clients/cpp/calls/error.h"
 
 namespace dhpmap::client {
 namespace {
 
 constexpr std::size_t kMostUnacknowledged = 8;
 constexpr std::size_t kMostNotes = 1000;
+/// Without anything being stored in between: a frame that ends the server must not end it for ever.
+constexpr int kMostLosses = 10;
 
 /// Whether the same frame may be taken a little later.
 bool IsRefusedForNow(const Status& status) {
@@ -18,10 +20,17 @@ bool IsRefusedForNow(const Status& status) {
          status.reason == "TOO_MANY_BYTES";
 }
 
+/// The first message of a stream, with a frame.
+v1::IntegrateFramesRequest WithFrame(v1::IntegrateFramesRequest greeting, const v1::IntegrateFramesRequest& frame) {
+  greeting.MergeFrom(frame);
+  return greeting;
+}
+
 }  // namespace
 
-FrameStream::FrameStream(std::shared_ptr<Caller> caller, const std::string& map, const FeedOptions& options)
-    : caller_(std::move(caller)), options_(options) {
+FrameStream::FrameStream(std::shared_ptr<Caller> caller, const std::string& map, const FeedOptions& options,
+                         FrameListener listener)
+    : caller_(std::move(caller)), options_(options), listener_(std::move(listener)) {
   greeting_.set_map(map);
   greeting_.set_session(options.session);
   greeting_.set_take_over(options.take_over);
@@ -42,7 +51,7 @@ FrameStream::~FrameStream() {
 
 Status FrameStream::WaitUntilGreeted() {
   const MutexLock lock(mutex_);
-  return Wait([this]() DHPMAP_REQUIRES(mutex_) { return is_greeted_; }, "the session");
+  return Wait([this]() DHPMAP_REQUIRES(mutex_) { return is_greeted_ || !has_name(); }, "the session");
 }
 
 bool FrameStream::HasRoom(std::int64_t num_bytes) {
@@ -108,6 +117,8 @@ Status FrameStream::Wait(const std::function<bool()>& is_so, const char* what) {
 void FrameStream::Hold() {
   Pauses pauses;
   std::optional<Clock::time_point> lost_at;
+  std::optional<std::int64_t> stored_before;
+  int num_losses = 0;
   while (true) {
     Clock::time_point heard_before;
     {
@@ -115,21 +126,21 @@ void FrameStream::Hold() {
       heard_before = heard_at_;
     }
     const Status status = Exchange();
+    const bool may_pass = MayPass(status) && (!listener_.goes_on || listener_.goes_on(status));
     Clock::time_point again;
     {
       const MutexLock lock(mutex_);
       if (heard_at_ != heard_before) {
         pauses = {};
         lost_at.reset();
+        if (std::exchange(stored_before, state_.stored_sequence) != state_.stored_sequence) num_losses = 0;
+        num_losses += status.code == StatusCode::kUnavailable && status.reason.empty() ? 1 : 0;
       }
       is_over_ = is_abandoned_ || (status.ok() && is_closing_ && unacknowledged_.empty());
       if (status.ok() && !is_over_) continue;  // all is stored, and there is more to come
       const Clock::time_point now = Clock::now();
       lost_at = lost_at.value_or(now);
-      // Without a reason it is gRPC's own word: the frame is larger than the server takes, and will be.
-      const bool may_pass = status.code == StatusCode::kUnavailable ||
-                            (status.code == StatusCode::kResourceExhausted && !status.reason.empty());
-      if (!is_over_ && (!may_pass || now - *lost_at > Seconds(options_.reconnect_s))) {
+      if (!is_over_ && (!may_pass || num_losses > kMostLosses || now - *lost_at > Seconds(options_.reconnect_s))) {
         error_ = status;
         is_over_ = true;
       }
@@ -139,6 +150,13 @@ void FrameStream::Hold() {
     }
     AwaitConnection(again);
   }
+}
+
+bool FrameStream::MayPass(const Status& status) const {
+  if (!has_name()) return false;
+  // Without a reason it is gRPC's own word: the frame is larger than the server takes, and will be.
+  return status.code == StatusCode::kUnavailable ||
+         (status.code == StatusCode::kResourceExhausted && !status.reason.empty());
 }
 
 void FrameStream::AwaitConnection(Clock::time_point again) {
@@ -163,7 +181,7 @@ Status FrameStream::Exchange() {
     const MutexLock lock(mutex_);
     if (is_abandoned_) return Error(StatusCode::kCancelled, "the feed is abandoned");
     connection = ++connection_;
-    is_greeted_ = false;
+    is_greeted_ = !has_name();
     context_ = &context;
   }
   const auto stream = caller_->stub<v1::MappingService::Stub>().IntegrateFrames(&context);
@@ -183,6 +201,7 @@ Status FrameStream::Exchange() {
 
 Status FrameStream::ReadAll(Stream& stream) {
   for (Response answer; stream.Read(&answer);) {
+    if (listener_.on_answer) listener_.on_answer(answer);
     if (Status status = Hear(answer); !status.ok()) return status;
   }
   return {};
@@ -204,9 +223,12 @@ void FrameStream::WriteAll(Stream& stream, int connection) {
     const MutexLock lock(mutex_);
     greeting = greeting_;
   }
-  if (!stream.Write(greeting)) return;
+  if (has_name() && !stream.Write(greeting)) return;
+  bool says_whose = !has_name();  // who is not greeted says with the first frame where it goes
   while (const auto request = NextToSend(connection)) {
-    if (!stream.Write(*request)) return;
+    const bool is_taken = says_whose ? stream.Write(WithFrame(greeting, *request)) : stream.Write(*request);
+    if (!is_taken) return;
+    says_whose = false;
   }
   stream.WritesDone();
 }
@@ -252,13 +274,14 @@ Status FrameStream::Acknowledge(const Response& answer) {
   const std::int64_t sequence = answer.sequence();
   if (answer.outcome() == Response::REFUSED) {
     Status error = client::StatusOf(answer.error());
-    if (IsRefusedForNow(error)) return error;
+    if (has_name() && IsRefusedForNow(error)) return error;
     ++state_.num_refused;
     Note({sequence, true, error.reason, error.message});
     Forget(sequence);
   }
   if (answer.outcome() == Response::FUSED) ++state_.num_fused;
-  unacknowledged_.erase(sequence);
+  if (has_name()) unacknowledged_.erase(sequence);
+  else Forget(sequence);  // nobody could send it again
   for (const v1::FrameWarning& its : answer.warnings()) {
     Note({sequence, false, v1::FrameWarning::Fault_Name(its.fault()), its.message()});
   }

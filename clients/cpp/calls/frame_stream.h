@@ -12,24 +12,33 @@
 #include <thread>
 #include <vector>
 
-#include "clients/cpp/src/caller.h"
+#include "clients/cpp/calls/caller.h"
 #include "dhpmap/feed.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "mapping/base/mutex.h"
 
 namespace dhpmap::client {
 
-/// A session of frames: sent in order, kept until they are stored, sent again after a lost connection. One thread
-/// pushes, any may look; a thread of its own holds the connection, and one more for each connection sends.
+/// Who follows a stream of frames, on a thread of its own, one call at a time, and not after the stream's life. Each
+/// may be empty.
+struct FrameListener {
+  std::function<void(const v1::IntegrateFramesResponse&)> on_answer;  ///< each, as it comes
+  std::function<bool(const Status& why)> goes_on;                     ///< the connection is lost; false: gives up
+};
+
+/// A session of frames: sent in order, kept until they are stored, sent again after a lost connection. One that has no
+/// name ends with its connection. One thread pushes, any may look; a thread of its own holds the connection, and one
+/// more for each connection sends.
 class FrameStream {
  public:
-  FrameStream(std::shared_ptr<Caller> caller, const std::string& map, const FeedOptions& options);
+  FrameStream(std::shared_ptr<Caller> caller, const std::string& map, const FeedOptions& options,
+              FrameListener listener = {});
   /// Ends the connection at once; what is not stored may be lost.
   ~FrameStream();
   FrameStream(const FrameStream&) = delete;
   FrameStream& operator=(const FrameStream&) = delete;
 
-  /// What the server refuses the stream with.
+  /// What the server refuses the stream with. A session without a name is not greeted: OK.
   Status WaitUntilGreeted() DHPMAP_EXCLUDES(mutex_);
   /// Waits for room; what has ended the stream.
   Status Push(std::int64_t sequence, v1::Frame frame) DHPMAP_EXCLUDES(mutex_);
@@ -65,8 +74,13 @@ class FrameStream {
   Status Wait(const std::function<bool()>& is_so, const char* what) DHPMAP_REQUIRES(mutex_);
   bool HasRoom(std::int64_t num_bytes) DHPMAP_REQUIRES(mutex_);
 
+  [[nodiscard]] bool has_name() const { return !options_.session.empty(); }
+  /// Whether another connection may do better.
+  [[nodiscard]] bool MayPass(const Status& status) const;
+
   const std::shared_ptr<Caller> caller_;
   const FeedOptions options_;
+  const FrameListener listener_;
   mutable Mutex mutex_;
   CondVar changed_;
   Request greeting_ DHPMAP_GUARDED_BY(mutex_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clients/cpp/src/caller.h"
+#include "clients/cpp/calls/caller.h"
 
 #include <grpcpp/create_channel.h>
 
@@ -7,13 +7,13 @@
 #include <random>
 #include <thread>
 
-#include "clients/cpp/src/credentials.h"
-#include "clients/cpp/src/error.h"
+#include "clients/cpp/calls/credentials.h"
+#include "clients/cpp/calls/error.h"
 
 namespace dhpmap::client {
 namespace {
 
-/// As the command line's: a server that is dead or cut off is noticed, and one that comes back is found soon.
+/// A server that is dead or cut off is noticed, and one that comes back is found soon.
 grpc::ChannelArguments ChannelOptions() {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);
@@ -35,26 +35,40 @@ std::string Told(double s) {
 
 }  // namespace
 
-Result<std::shared_ptr<Caller>> Caller::Connect(const std::string& address, const ConnectOptions& options) {
+Result<std::shared_ptr<Caller>> Caller::Make(const std::string& address, const ConnectOptions& options,
+                                             const std::string& told_address) {
   auto credentials = CredentialsFor(address, options);
   if (!credentials.ok()) return credentials.status();
   Result<std::string> token = TokenOf(options);
   if (!token.ok()) return token.status();
   const auto channel = grpc::CreateCustomChannel(address, *credentials, ChannelOptions());
-  if (!channel->WaitForConnected(GrpcTime(Clock::now() + Seconds(options.connect_s)))) {
+  return std::shared_ptr<Caller>(new Caller(told_address, options, *std::move(token), channel));
+}
+
+Result<std::shared_ptr<Caller>> Caller::Open(const std::string& address, const ConnectOptions& options) {
+  return Make(address, options, "");
+}
+
+std::shared_ptr<Caller> Caller::Over(const std::shared_ptr<grpc::Channel>& channel, const ConnectOptions& options) {
+  return std::shared_ptr<Caller>(new Caller("", options, options.token, channel));
+}
+
+Result<std::shared_ptr<Caller>> Caller::Connect(const std::string& address, const ConnectOptions& options) {
+  auto caller = Make(address, options, address);
+  if (caller.ok() && !(*caller)->AwaitConnection(Clock::now() + Seconds(options.connect_s))) {
     return Error(StatusCode::kUnavailable, "no server answers at " + address + " within connect_s = " +
                                                Told(options.connect_s) + "; is dhpmap-server running there?");
   }
-  return std::shared_ptr<Caller>(new Caller(address, options, *std::move(token), channel));
+  return caller;
 }
 
-Caller::Caller(std::string address, ConnectOptions options, std::string token,
+Caller::Caller(std::string told_address, ConnectOptions options, std::string token,
                const std::shared_ptr<grpc::Channel>& channel)
-    : address_(std::move(address)),
+    : address_(std::move(told_address)),
       options_(std::move(options)),
       token_(std::move(token)),
       channel_(channel),
-      stubs_(channel, channel, channel, channel, channel, channel) {}
+      stubs_(channel, channel, channel, channel, channel, channel, channel) {}
 
 void Caller::Introduce(grpc::ClientContext& context) const {
   if (!token_.empty()) context.AddMetadata("authorization", "Bearer " + token_);
