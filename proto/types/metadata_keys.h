@@ -7,4 +7,8 @@ namespace dhpmap {
 /// an error.
 inline constexpr char kOneMessageKey[] = "dhpmap-one-message";
 
+/// Likewise: the etags of the files that the client has, with commas between them. Of one of these a single message
+/// comes, with its etag and without data.
+inline constexpr char kHeldEtagsKey[] = "dhpmap-held-etags";
+
 }  // namespace dhpmap

@@ -3,6 +3,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <new>
 #include <optional>
@@ -13,7 +14,8 @@
 namespace dhpmap::gateway {
 namespace {
 
-constexpr int kGzipWindow = 15 + 16;  // zlib's way to ask for gzip's head and end
+constexpr std::size_t kMostNamed_bytes = 1024;  // far below what gRPC takes as metadata
+constexpr int kGzipWindow = 15 + 16;            // zlib's way to ask for gzip's head and end
 constexpr int kLevel = 1, kMemory = 8;
 
 Bytef* BytesOf(std::string_view data) { return reinterpret_cast<Bytef*>(const_cast<char*>(data.data())); }
@@ -71,6 +73,25 @@ bool IsEtagNamed(std::string_view if_none_match, std::string_view etag) {
     return tag.size() == etag.size() + 2 && tag.front() == '"' && tag.back() == '"' &&
            tag.substr(1, etag.size()) == etag;
   });
+}
+
+std::string EtagsNamed(std::string_view if_none_match, bool is_gzip) {
+  const std::string suffix = EtagOfVariant("x", is_gzip).substr(1) + '"';
+  const std::string other = EtagOfVariant("x", !is_gzip).substr(1) + '"';
+  std::string named;
+  AnyOfList(if_none_match, [&](std::string_view tag) {
+    if (tag.starts_with("W/")) tag.remove_prefix(2);
+    const bool is_other = other.size() > suffix.size() && tag.ends_with(other);
+    if (tag.size() <= suffix.size() + 1 || tag.front() != '"' || !tag.ends_with(suffix) || is_other) return false;
+    tag = tag.substr(1, tag.size() - 1 - suffix.size());
+    const bool is_plain = std::all_of(tag.begin(), tag.end(), [](char c) {
+      return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    });
+    if (is_plain && named.size() + tag.size() < kMostNamed_bytes)
+      named += (named.empty() ? "" : ",") + std::string(tag);
+    return false;
+  });
+  return named;
 }
 
 struct GzipStream::State {

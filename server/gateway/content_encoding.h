@@ -21,6 +21,10 @@ std::string EtagOfVariant(std::string_view etag, bool is_gzip);
 /// tags count alike, as RFC 9110 has it; "*" names any.
 bool IsEtagNamed(std::string_view if_none_match, std::string_view etag);
 
+/// The etags that an If-None-Match header names of a variant, as they are without it, with commas between them: the
+/// first ones, in at most 1,024 bytes. What cannot be an etag of ours is left out.
+std::string EtagsNamed(std::string_view if_none_match, bool is_gzip);
+
 /// Compresses a file as it comes, quickly rather than well. Thread-compatible.
 class GzipStream {
  public:

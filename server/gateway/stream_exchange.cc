@@ -148,6 +148,10 @@ void StreamExchange::OnBodyEnd() {
 void StreamExchange::StartCall(bool is_one_message) {
   CallOptions options = request_.call;
   if (is_one_message && request_.route->client_streams()) options.metadata.emplace_back(kOneMessageKey, "1");
+  if (request_.route->file && !request_.if_none_match.empty()) {
+    std::string held = EtagsNamed(request_.if_none_match, request_.takes_gzip);
+    if (!held.empty()) options.metadata.emplace_back(kHeldEtagsKey, std::move(held));
+  }
   call_ = backend_.caller->StartStream(options, shared_from_this());
   receiving_.To(Receiving::kIdle);
   ReadMore();

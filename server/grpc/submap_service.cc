@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dhpmap/v1/submap_service.grpc.pb.h"
+#include "proto/types/metadata_keys.h"
 #include "proto/types/resource_names.h"
 #include "server/app/edits/edit_list.h"
 #include "server/app/edits/edit_summary.h"
@@ -18,6 +19,12 @@
 
 namespace dhpmap {
 namespace {
+
+std::string HeldEtagsOf(const grpc::CallbackServerContext& call) {
+  const auto found = call.client_metadata().find(kHeldEtagsKey);
+  return found == call.client_metadata().end() ? std::string()
+                                               : std::string(found->second.data(), found->second.size());
+}
 
 /// Fills the answer of an edit: its revision and the submap as it is now.
 constexpr auto kFillAnswer = [](const MapView& view, const EditMade& made, auto& response) {
@@ -139,9 +146,11 @@ class SubmapService final : public CountedService<v1::SubmapService> {
     using Stream = ChunkStream<v1::GetSubmapMeshResponse>;
     return Stream::Start(
         context_, call, {"SubmapService/GetSubmapMesh", request},
-        [=, this](const std::stop_token& stop, const StreamKeeps& keeps) -> Result<Stream::Next> {
+        [=, this, held_etags = HeldEtagsOf(*call)](const std::stop_token& stop,
+                                                   const StreamKeeps& keeps) -> Result<Stream::Next> {
           DHPMAP_ASSIGN_OR_RETURN(const ObjectName name, ParseObjectName(request->name(), "name"));
-          DHPMAP_ASSIGN_OR_RETURN(const MeshRequest wanted, MeshRequestFromProto(*request, name.submap));
+          DHPMAP_ASSIGN_OR_RETURN(MeshRequest wanted, MeshRequestFromProto(*request, name.submap));
+          wanted.held_etags = held_etags;
           DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, name.map, *request));
           auto state = view->shared_snapshot();
           // Of GLB, what is around has a say, too: ExportMesh looks for the submap.

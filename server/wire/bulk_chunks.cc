@@ -86,7 +86,8 @@ bool VoxelChunks::Next(v1::StreamSubmapVoxelsResponse& message) {
 
 bool MeshChunks::Next(v1::GetSubmapMeshResponse& message) {
   const bool is_first = !std::exchange(has_begun_, true);
-  if (!file_.Next(*message.mutable_data())) return false;
+  // What the client has comes without data, but is named.
+  if (!file_.Next(*message.mutable_data()) && !(is_first && file_.is_held())) return false;
   message.set_revision(file_.revision());
   if (is_first) {
     message.set_content_type(ContentType(file_.format()));

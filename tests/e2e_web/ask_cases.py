@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What one asks: slices, points, a robot's path."""
+from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.select import Select
 
 from world import MAP
 
@@ -51,3 +53,22 @@ def test_a_path_is_checked_by_clicks_and_again_when_what_is_in_its_way_is_moved(
     page.js("s.set('path', { ...s.get('path'), points_m: [] })")
     page.keys(Keys.ESCAPE)
     page.until("s.get('tool') === 'select'")
+
+
+def test_which_chairs_are_nearest_to_where_one_clicks_is_what_the_server_says(world):
+    page = world.page
+    page.fresh()
+    page.click(*page.place(world.sofa))
+    page.until(f"s.get('selected') === '{world.sofa}' && document.querySelector('.inspector .button') !== null")
+    page.js("""
+      [...document.querySelectorAll('.inspector .button')].find((b) => b.textContent === 'What is nearest?').click();""")
+    page.until("s.get('near') !== null && document.querySelector('.near select') !== null")
+    Select(page.driver.find_element(By.CSS_SELECTOR, ".near select")).select_by_value("chair")
+    page.until("s.get('near').className === 'chair'")
+    told = world.server.ask(f"maps/{MAP}/submaps:search", {
+        "near_point_m": page.js("return s.get('clicked').point_m"), "options": {"class_names": ["chair"]}})["matches"]
+    chairs = page.js("return s.get('near').objects")
+    assert [each["id"] for each in chairs] == [each["submap"]["instance_id"] for each in told[:len(chairs)]], chairs
+    assert len(chairs) > 1 and abs(chairs[0]["distance_m"] - told[0]["distance_m"]) < 1e-6, chairs
+    page.until(f"document.querySelector('.near .log').textContent.includes('{told[0]['distance_m']:.2f} m')")
+    page.js("s.set('asksNear', false); s.set('nearClass', '')")

@@ -75,10 +75,11 @@ class Page:
         self.js("""
           s.set("query", ""); s.set("selected", arguments[0]); s.set("colour", arguments[1]);
           s.set("hiddenClasses", new Set(["ceiling"])); s.set("hiddenObjects", new Set());
+          s.set("showsTime", false); s.set("tool", "select");
           s.set("toast", null); s.set("undoable", []); s.set("redoable", []); s.set("showsBoxes", false);
           document.activeElement.blur();""", selected, colour)
-        self.keys("h")
-        self.until("r.isResting && s.get('link') === 'live'")
+        self.keys("n", "h")
+        self.until("s.get('at') === null && v.surfaces.isIdle && r.isResting && s.get('link') === 'live'")
 
     def until(self, condition):
         self.driver.execute_async_script(UNTIL % condition)

@@ -11,6 +11,9 @@ import ask_cases
 import edit_cases
 import link_cases
 import look_cases
+import reach_cases
+import time_cases
+import tool_cases
 from browser import Page
 from world import World
 
@@ -28,7 +31,7 @@ def chromium_starts():
 def main(programs, wanted):
     if not chromium_starts():
         return 0
-    rooms = (look_cases, edit_cases, ask_cases, link_cases)
+    rooms = (look_cases, edit_cases, ask_cases, tool_cases, time_cases, reach_cases, link_cases)
     cases = [(name, case) for room in rooms for name, case in vars(room).items() if name.startswith("test_")]
     cases = [(name, case) for name, case in cases if not wanted or name in wanted]
     failed = []

@@ -14,15 +14,18 @@ const kept = [
   "showsBoxes",
   "theme",
   "slice_m",
+  "measured_m",
+  "clip",
   "path",
 ] as const;
-const followed = ["map", ...kept, "camera"] as const;
+const followed = ["map", "at", ...kept, "camera"] as const;
 /** Browsers stop pages that change their address more often. */
 const pause_ms = 300;
 
 function linkedOf(store: ViewStore): Linked {
   return {
     mapId: store.get("map")?.id ?? "",
+    at: store.get("at"),
     selected: store.get("selected"),
     query: store.get("query"),
     hiddenClasses: store.get("hiddenClasses"),
@@ -32,6 +35,8 @@ function linkedOf(store: ViewStore): Linked {
     showsBoxes: store.get("showsBoxes"),
     theme: store.get("theme"),
     slice_m: store.get("slice_m"),
+    measured_m: store.get("measured_m"),
+    clip: store.get("clip"),
     path: store.get("path"),
     camera: store.get("camera"),
   };
@@ -40,6 +45,10 @@ function linkedOf(store: ViewStore): Linked {
 function apply(store: ViewStore, link: Linked): void {
   for (const key of kept) store.set(key, link[key]);
 }
+
+/** The address of what is shown, as it is now. */
+export const linkOf = (store: ViewStore): string =>
+  `${location.origin}${location.pathname}#${writeLink(linkedOf(store))}`;
 
 /** Takes the address as the view, and keeps it up from there on. What the address said at first. */
 export function keepLink(store: ViewStore): Linked {

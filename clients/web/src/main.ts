@@ -1,29 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wiring: the store, what shows it, what changes it.
 import { Vector3 } from "three";
+import { EditLog } from "./actions/edit_log";
 import { Edits } from "./actions/edits";
 import { Ahead } from "./api/ahead";
 import { el } from "./panels/dom";
 import { Inspector } from "./panels/inspector";
+import { newClipCard } from "./panels/clip_card";
 import { listenToKeys } from "./panels/keyboard";
+import { newLabel } from "./panels/label";
+import { newMeasureCard } from "./panels/measure_card";
 import { ObjectList } from "./panels/object_list";
 import { newHelp, newOverlay } from "./panels/overlay";
+import { newPastCard } from "./panels/past_card";
+import { newPathCard } from "./panels/path_card";
+import { newRayCard } from "./panels/ray_card";
+import { newRegionCard } from "./panels/region_card";
+import { newSliceCard } from "./panels/slice_card";
 import { StatusBar } from "./panels/status_bar";
+import { newTimeline } from "./panels/timeline";
 import { TopBar } from "./panels/top_bar";
 import { SceneFollower } from "./scene/follow";
 import { Renderer } from "./scene/renderer";
 import { SurfaceLoader } from "./scene/surface_loader";
 import { Session } from "./session";
-import { keepLink } from "./link";
+import { keepLink, linkOf } from "./link";
+import { Past } from "./past";
 import { forgetMap } from "./state/history";
 import { readLink } from "./state/url";
 import { newViewStore, type ViewStore } from "./state/view";
 import { followTheme } from "./theme";
+import { ClipTool } from "./tools/clip";
 import { DraftTool } from "./tools/draft";
+import { MeasureTool } from "./tools/measure";
 import { MoveTool } from "./tools/move";
+import { NearTool } from "./tools/near";
 import { PathTool } from "./tools/path";
 import { Pointer } from "./tools/pointer";
 import { ProbeTool } from "./tools/probe";
+import { RayTool } from "./tools/ray";
+import { RegionTool } from "./tools/region";
+import { saveScreenshot } from "./tools/screenshot";
 import { RobotFollower } from "./tools/robots";
 import { SliceTool } from "./tools/slice";
 import { WalkTool } from "./tools/walk";
@@ -45,12 +62,20 @@ function start(store: ViewStore, ahead: Ahead): void {
     return;
   }
   const follower = new SceneFollower(store, renderer);
-  const edits = new Edits(store);
+  const log = new EditLog(store);
+  const edits = new Edits(store, log);
   const moveTool = new MoveTool(store, renderer, edits, new TouchCheck(store));
-  const probeTool = new ProbeTool(store, renderer);
-  const pathTool = new PathTool(store, renderer);
+  const placeTools = {
+    probe: new ProbeTool(store, renderer),
+    path: new PathTool(store, renderer),
+    ray: new RayTool(store, renderer),
+    measure: new MeasureTool(store, renderer),
+    region: new RegionTool(store, renderer),
+  };
+  const clipTool = new ClipTool(store, renderer);
   const draftTool = new DraftTool(store, renderer, edits);
   new RobotFollower(store, renderer);
+  new NearTool(store);
   const slice = new SliceTool(store, renderer);
   const surfaces = new SurfaceLoader(
     (loaded) => {
@@ -101,7 +126,9 @@ function start(store: ViewStore, ahead: Ahead): void {
     document.body.classList.toggle("no-list");
     resize();
   };
-  const session = new Session(store, renderer, surfaces, ahead, () => void edits.refreshHistory());
+  const session = new Session(store, renderer, surfaces, ahead, () => void log.refresh());
+  const past = new Past(store, session);
+  const showRevision = (revision: number | null) => past.show(revision);
   const list = new ObjectList(store, focusOn);
   const actions = {
     openMap: (map: Parameters<Session["open"]>[0]) => {
@@ -109,7 +136,7 @@ function start(store: ViewStore, ahead: Ahead): void {
       store.set("hiddenObjects", new Set());
       store.set("camera", null);
       forgetMap(store);
-      void session.open(map).then(() => edits.refreshHistory());
+      void session.open(map).then(() => log.refresh());
     },
     frameAll: () => {
       store.set("walks", false);
@@ -120,6 +147,10 @@ function start(store: ViewStore, ahead: Ahead): void {
       frameAll(false, fromAbove);
     },
     toggleList,
+    showRevision,
+    stepTime: (by: 1 | -1) => past.step(by),
+    toggleClip: () => clipTool.toggle(),
+    saveScreenshot: () => void saveScreenshot(store, renderer, linkOf(store)),
     focusSearch: () => {
       if (document.body.classList.contains("no-list")) toggleList();
       list.search.focus();
@@ -128,10 +159,19 @@ function start(store: ViewStore, ahead: Ahead): void {
       if (store.get("selected") !== null) focusOn(store.get("selected") ?? "");
     },
   };
-  const inspector = new Inspector(store, edits, moveTool, focusOn);
+  const inspector = new Inspector(store, edits, moveTool, focusOn, [
+    newPastCard(store, () => past.show(null)),
+    newSliceCard(store),
+    newClipCard(store, clipTool),
+    newMeasureCard(store),
+    newRayCard(store, placeTools.ray),
+    newPathCard(store),
+    newRegionCard(store, edits, placeTools.region),
+  ]);
   const statusBar = new StatusBar(store, renderer, edits);
   const label = newLabel(store);
-  const scene = el("main", { class: "scene", aria: { label: "Map" } }, renderer.canvas, newOverlay(store, actions.openMap, () => session.retryNow()));
+  const overlay = newOverlay(store, actions.openMap, () => session.retryNow());
+  const scene = el("main", { class: "scene", aria: { label: "Map" } }, renderer.canvas, overlay);
   renderer.canvas.tabIndex = 0;
   renderer.canvas.setAttribute("aria-label", "The map in 3D. Keys: question mark.");
   document.body.append(
@@ -139,33 +179,27 @@ function start(store: ViewStore, ahead: Ahead): void {
     list.element,
     scene,
     inspector.element,
+    newTimeline(store, { show: showRevision, step: actions.stepTime }),
     statusBar.element,
     label,
     newHelp(store),
   );
   if (innerWidth <= narrow_px) toggleList();
-  new Pointer(store, renderer, moveTool, probeTool, pathTool, draftTool, label, focusOn);
+  new Pointer(store, renderer, moveTool, placeTools, draftTool, label, focusOn);
   listenToKeys(store, edits, moveTool, new WalkTool(store, renderer), actions);
   followTheme(store, renderer);
   new ResizeObserver(resize).observe(scene);
   const link = keepLink(store);
   if (link.camera) renderer.camera.setView(link.camera);
   else store.set("camera", null);
-  void session.start(link.mapId).then(() => edits.refreshHistory());
+  void session.start(link.mapId).then(() => {
+    void log.refresh();
+    if (link.at === null || !store.get("map")) return;
+    store.set("showsTime", true);
+    past.show(link.at);
+  });
   // For tests, and for who opens the console.
   Object.assign(window, { dhpmap: { store, renderer, surfaces, slice } });
-}
-
-/** The name of what is under the cursor. */
-function newLabel(store: ViewStore): HTMLElement {
-  const label = el("div", { class: "label", hidden: true });
-  store.follow(["hovered", "objects"], () => {
-    const object = store.get("objects").get(store.get("hovered") ?? "");
-    label.hidden = !object;
-    if (object)
-      label.replaceChildren(object.label, el("span", { class: "muted" }, object.isPresent ? `#${object.id}` : "gone"));
-  });
-  return label;
 }
 
 const store = newViewStore();

@@ -64,10 +64,11 @@ export class Session {
   async open(map: MapInfo): Promise<void> {
     const generation = this.close();
     this.renderer.clear();
+    this.store.set("at", null);
     this.store.set("objects", new Map());
     this.store.set("phase", { is: "loading", bytes: 0 });
     this.store.set("map", map);
-    this.surfaces.start(map.name);
+    this.surfaces.start({ name: map.name, at: null });
     await this.list(map).catch((error: unknown) => {
       if (generation === this.generation) this.failed(error, () => this.start(map.id));
     });
@@ -90,24 +91,50 @@ export class Session {
     if (generation !== this.generation) return;
     const isSameHistory = present.historyId === this.store.get("map")?.historyId;
     if (!isSameHistory) forgetMap(this.store);
-    const held = this.store.get("objects");
     this.store.set("map", present);
+    this.store.set("newest", revision);
+    const listed = new Map(objects.map((object) => [object.id, object]));
+    if (isSameHistory && this.store.get("at") !== null) {
+      this.store.set("present", listed);
+    } else {
+      this.store.set("at", null);
+      const missing = this.replace(listed, revision, isSameHistory);
+      // What the surfaces on their way have, unless it was changed meanwhile.
+      const isComing = (object: MapObject) =>
+        first?.surfaces != null && object.isPresent && object.revision <= first.map.revision;
+      if (first?.surfaces)
+        void this.surfaces.takeFirst(first.surfaces, [...listed.keys()]).then((isTaken) => {
+          if (!isTaken && generation === this.generation) this.surfaces.want(missing.map(({ id }) => id));
+        });
+      this.surfaces.want(missing.filter((object) => !isComing(object)).map(({ id }) => id));
+      if (objects.every((object) => object.sphere === null)) this.store.set("phase", { is: "ready" });
+    }
+    this.follow(present, revision);
+  }
+
+  /** These objects in place of what is held. Those whose surfaces are missing. */
+  private replace(objects: ReadonlyMap<string, MapObject>, revision: number, isSameHistory: boolean): MapObject[] {
+    const held = this.store.get("objects");
     this.store.set("revision", revision);
-    this.store.set("objects", new Map(objects.map((object) => [object.id, object])));
-    for (const id of held.keys()) if (!this.store.get("objects").has(id)) this.renderer.drop(id);
+    this.store.set("objects", objects);
+    for (const id of held.keys()) if (!objects.has(id)) this.renderer.drop(id);
     const isHeld = (object: MapObject) =>
       isSameHistory && held.get(object.id)?.revision === object.revision && this.renderer.meshOf(object.id) !== null;
-    // What the surfaces on their way have, unless it was changed meanwhile.
-    const isComing = (object: MapObject) =>
-      first?.surfaces != null && object.isPresent && object.revision <= first.map.revision;
-    const missing = objects.filter((object) => object.sphere !== null && !isHeld(object));
-    if (first?.surfaces)
-      void this.surfaces.takeFirst(first.surfaces).then((isTaken) => {
-        if (!isTaken && generation === this.generation) this.surfaces.want(missing.map(({ id }) => id));
-      });
-    this.surfaces.want(missing.filter((object) => !isComing(object)).map(({ id }) => id));
-    if (objects.every((object) => object.sphere === null)) this.store.set("phase", { is: "ready" });
-    this.follow(present, revision);
+    return [...objects.values()].filter((object) => object.sphere !== null && !isHeld(object));
+  }
+
+  /** The map as it was, with these objects; `at` null: as it is. It is followed on all the while. */
+  showAt(at: number | null, past: ReadonlyMap<string, MapObject>): void {
+    const map = this.store.get("map");
+    if (!map || at === this.store.get("at")) return;
+    if (this.store.get("at") === null) this.store.set("present", this.store.get("objects"));
+    const objects = at === null ? this.store.get("present") : past;
+    // Before who follows "objects" or "revision" asks.
+    this.store.set("at", at);
+    const unfinished = this.surfaces.start({ name: map.name, at });
+    const missing = this.replace(objects, at ?? this.store.get("newest"), true).map(({ id }) => id);
+    this.surfaces.want([...missing, ...[...unfinished].filter((id) => objects.has(id))]);
+    if (at === null) this.store.set("present", new Map());
   }
 
   private follow(map: MapInfo, revision: number): void {
@@ -133,9 +160,19 @@ export class Session {
     if (generation !== this.generation) return;
     const whole = changes.length <= mostReadWhole ? await Promise.all(changes.map(readWhole)) : changes;
     if (generation !== this.generation) return;
+    this.store.set("newest", told);
+    if (this.store.get("at") !== null) {
+      // What is looked at stays as it was.
+      this.store.set("present", withChanges(this.store.get("present"), whole));
+      return this.onTaken();
+    }
     this.store.set("revision", told);
     this.store.set("objects", withChanges(this.store.get("objects"), whole));
-    for (const change of whole) if (change.kind === "removed") this.renderer.drop(change.id);
+    for (const { id, kind } of whole) {
+      if (kind !== "removed") continue;
+      this.renderer.drop(id);
+      this.surfaces.forget(id);
+    }
     if (whole.some((change) => change.id === this.store.get("selected") && change.kind === "removed"))
       this.store.set("selected", null);
     this.surfaces.want(whole.filter((change) => change.isGeometry).map((change) => change.id));

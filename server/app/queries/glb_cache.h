@@ -17,7 +17,7 @@ namespace dhpmap {
 /// A file of surfaces. Immutable.
 struct GlbFile {
   std::string bytes;
-  std::string etag;  ///< the same for the same bytes
+  std::string content_tag;  ///< the same for the same bytes
 };
 
 /// Files by the name of what they show (NameOfGlb), so that who asks again, or looks at the same, waits for nobody to

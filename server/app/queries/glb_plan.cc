@@ -69,20 +69,43 @@ GlbPlan::GlbPlan(const MapSnapshot& map, const MeshRequest& request)
       wanted_(WantedOf(map, request)),
       sources_(MeshSourcesOf(map, wanted_)),
       name_(NameOf()),
+      state_name_(StateNameOf()),
       num_bytes_(BytesOf()) {}
 
-std::uint64_t GlbPlan::NameOf() const {
-  if (request_.coloring != MeshColoring::kSensor) return 0;  // would have to name all classes and their colours
-  std::string text = map_.info().name + (request_.submap ? "/one" : "/many");
+void GlbPlan::AppendWanted(std::string& text) const {
+  text += request_.submap ? "/one" : "/many";
   for (const Submap* submap : wanted_) {
     text += ExtrasOf(submap->info(), *map_.info().label_set);
     Append(IsCutFromMap(map_, *submap), text);
     if (request_.submap) continue;
     for (const double number : submap->info().T_map_submap.matrix().reshaped()) Append(number, text);
   }
+}
+
+std::uint64_t GlbPlan::NameOf() const {
+  if (request_.coloring != MeshColoring::kSensor) return 0;  // would have to name all classes and their colours
+  std::string text = map_.info().name;
+  AppendWanted(text);
   for (const SourceTile& source : sources_.tiles) {
     Append(source.submap->id().value, text);
     Append(source.tile->part_id(), text);
+  }
+  return Fingerprint(text);
+}
+
+std::uint64_t GlbPlan::StateNameOf() const {
+  // Raise it when the same objects become another file.
+  constexpr std::uint32_t kWayOfMaking = 1;
+  if (request_.coloring != MeshColoring::kSensor) return 0;
+  std::string text;
+  Append(kWayOfMaking, text);
+  Append(map_.info().history_id, text);
+  AppendWanted(text);
+  for (const auto* submaps : {&wanted_, &sources_.around}) {
+    for (const Submap* submap : *submaps) {
+      Append(submap->id().value, text);
+      Append(submap->info().revision, text);
+    }
   }
   return Fingerprint(text);
 }
@@ -117,8 +140,8 @@ std::shared_ptr<const GlbFile> GlbPlan::Make(const std::stop_token& stop, const 
   }
   std::string bytes = WriteGlb(objects);
   if (stop.stop_requested()) return nullptr;
-  std::string etag = "g" + HistoryText(Fingerprint(bytes));
-  return std::make_shared<const GlbFile>(GlbFile{std::move(bytes), std::move(etag)});
+  std::string content_tag = HistoryText(Fingerprint(bytes));
+  return std::make_shared<const GlbFile>(GlbFile{std::move(bytes), std::move(content_tag)});
 }
 
 }  // namespace dhpmap

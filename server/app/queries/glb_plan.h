@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "mapping/base/spread.h"
@@ -23,6 +24,9 @@ class GlbPlan {
   /// Of what decides about its bytes (the tiles with voxels of it and of what is around, see PartId; poses where they
   /// are in the file): in this process, files of one name are the same. 0: it is not worth keeping.
   [[nodiscard]] std::uint64_t name() const { return name_; }
+  /// Of the objects that it shows and of those around them, as of their last changes: the same in every process, so
+  /// that who has the file of before a restart is told so before it is made. It changes oftener than name(). 0: none.
+  [[nodiscard]] std::uint64_t state_name() const { return state_name_; }
   /// What making it takes beside the map, more or less.
   [[nodiscard]] std::size_t num_bytes() const { return num_bytes_; }
 
@@ -31,6 +35,8 @@ class GlbPlan {
 
  private:
   [[nodiscard]] std::uint64_t NameOf() const;
+  [[nodiscard]] std::uint64_t StateNameOf() const;
+  void AppendWanted(std::string& text) const;
   [[nodiscard]] std::size_t BytesOf() const;
 
   const MapSnapshot& map_;
@@ -38,6 +44,7 @@ class GlbPlan {
   const std::vector<const Submap*> wanted_;
   const MeshSources sources_;
   const std::uint64_t name_;
+  const std::uint64_t state_name_;
   const std::size_t num_bytes_;
 };
 

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <string_view>
 #include <utility>
 
 #include "mapping/io/pcd.h"
 #include "mapping/io/ply.h"
 #include "mapping/paging/read_tiles.h"
 #include "server/app/queries/glb_plan.h"
+#include "server/app/states/etag.h"
 #include "server/app/states/no_such_submap.h"
 
 namespace dhpmap {
@@ -18,6 +20,23 @@ namespace {
 std::size_t CapacityOf(const Mesh& mesh) {
   return CapacityBytes(mesh.vertices_m) + CapacityBytes(mesh.normals) + CapacityBytes(mesh.colors) +
          CapacityBytes(mesh.classes) + CapacityBytes(mesh.instances) + CapacityBytes(mesh.triangles);
+}
+
+/// An etag is a "g", 16 digits of the bytes, and 16 of the state of what they show. Either tells that two files are the
+/// same.
+constexpr std::size_t kTagDigits = 16, kContentAt = 1, kStateAt = kContentAt + kTagDigits;
+
+/// The first of the client's etags that has `digits` at that place; empty: none has.
+std::string HeldEtag(std::string_view held, std::size_t at, std::string_view digits) {
+  while (!held.empty()) {
+    const std::size_t end = std::min(held.find(','), held.size());
+    const std::string_view etag = held.substr(0, end);
+    if (etag.size() == kStateAt + kTagDigits && etag.front() == 'g' && etag.substr(at, kTagDigits) == digits) {
+      return std::string(etag);
+    }
+    held.remove_prefix(std::min(end + 1, held.size()));
+  }
+  return {};
 }
 
 /// Of what MeshStream goes through.
@@ -41,15 +60,17 @@ MeshFile::MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, st
                                      : PlyBodyBytes(mesh_->num_vertices(), mesh_->num_triangles()))),
       reserved_(std::move(reserved)) {}
 
-MeshFile::MeshFile(std::int64_t revision, std::shared_ptr<const GlbFile> glb, CountedBytes reserved)
+MeshFile::MeshFile(std::int64_t revision, std::string etag, std::shared_ptr<const GlbFile> glb, CountedBytes reserved)
     : revision_(revision),
       format_(MeshFormat::kGlb),
+      etag_(std::move(etag)),
       glb_(std::move(glb)),
-      num_bytes_(glb_->bytes.size()),
+      num_bytes_(glb_ ? glb_->bytes.size() : 0),
       reserved_(std::move(reserved)) {}
 
 bool MeshFile::NextOfGlb(std::string& piece) {
   constexpr std::size_t kMostBytes = 200'000;
+  if (!glb_) return false;
   piece.assign(glb_->bytes, num_read_bytes_, kMostBytes);
   num_read_bytes_ += piece.size();
   return !piece.empty();
@@ -90,15 +111,28 @@ Result<MeshFile> ExportGlb(const std::shared_ptr<const MapSnapshot>& map, const 
                            const RoomFor& room_for, const std::stop_token& stop, const Spread& spread) {
   if (request.submap && map->Find(*request.submap) == nullptr) return NoSuchSubmap(map->info(), *request.submap);
   const GlbPlan plan(*map, request);
+  const std::string state = HistoryText(plan.state_name());
+  const auto held = [&](std::string etag) {
+    return MeshFile(map->revision(), std::move(etag), nullptr, CountedBytes(MemoryKind::kReserved));
+  };
+  if (plan.state_name() != 0) {
+    if (std::string etag = HeldEtag(request.held_etags, kStateAt, state); !etag.empty()) return held(std::move(etag));
+  }
   if (auto kept = cache.Find(plan.name())) {
-    return MeshFile(map->revision(), std::move(kept), CountedBytes(MemoryKind::kReserved));
+    std::string etag = HeldEtag(request.held_etags, kContentAt, kept->content_tag);
+    if (!etag.empty()) return held(std::move(etag));
+    etag = 'g' + kept->content_tag + state;
+    return MeshFile(map->revision(), std::move(etag), std::move(kept), CountedBytes(MemoryKind::kReserved));
   }
   DHPMAP_RETURN_IF_ERROR(room_for(plan.num_bytes()));
   CountedBytes reserved(MemoryKind::kReserved, plan.num_bytes());
   std::shared_ptr<const GlbFile> made = plan.Make(stop, spread);
   if (made == nullptr) return Cancelled("nobody waits for the mesh any longer");
   if (plan.name() != 0) cache.Put(plan.name(), made);
-  return MeshFile(map->revision(), std::move(made), std::move(reserved));
+  std::string etag = HeldEtag(request.held_etags, kContentAt, made->content_tag);
+  if (!etag.empty()) return held(std::move(etag));
+  etag = 'g' + made->content_tag + state;
+  return MeshFile(map->revision(), std::move(etag), std::move(made), std::move(reserved));
 }
 
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,

@@ -29,8 +29,10 @@ class MeshFile {
   [[nodiscard]] std::int64_t revision() const { return revision_; }  ///< of its state
   [[nodiscard]] MeshFormat format() const { return format_; }
   [[nodiscard]] std::size_t num_bytes() const { return num_bytes_; }
-  /// Of kGlb: equal for equal bytes; else empty. For one submap it is independent of the pose.
-  [[nodiscard]] std::string etag() const { return glb_ ? glb_->etag : std::string(); }
+  /// Of kGlb: files of equal etags are the same; else empty. For one submap it is independent of the pose.
+  [[nodiscard]] const std::string& etag() const { return etag_; }
+  /// Of kGlb: the client has that file, by one of MeshRequest::held_etags: there are no pieces.
+  [[nodiscard]] bool is_held() const { return format_ == MeshFormat::kGlb && !glb_; }
 
   /// The next piece of 1 to 200,000 bytes. False at the end.
   bool Next(std::string& piece);
@@ -42,13 +44,15 @@ class MeshFile {
                                     GlbCache& cache, const RoomFor& room_for, const std::stop_token& stop,
                                     const Spread& spread);
   MeshFile(std::int64_t revision, MeshFormat format, MeshStream mesh, std::string head, CountedBytes reserved);
-  MeshFile(std::int64_t revision, std::shared_ptr<const GlbFile> glb, CountedBytes reserved);
+  /// `glb` null: it is held.
+  MeshFile(std::int64_t revision, std::string etag, std::shared_ptr<const GlbFile> glb, CountedBytes reserved);
   bool NextOfGlb(std::string& piece);
 
   std::int64_t revision_;
   MeshFormat format_;
   std::optional<MeshStream> mesh_;  // not of kGlb
   std::string head_;                // until it is read; not of kGlb
+  std::string etag_;                // of kGlb
   std::shared_ptr<const GlbFile> glb_;
   std::size_t num_read_bytes_ = 0;  // of kGlb
   std::size_t num_bytes_;
@@ -66,8 +70,8 @@ std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request);
 Result<MeshFile> ExportMesh(std::shared_ptr<const MapSnapshot> map, const MeshRequest& request,
                             const std::stop_token& stop = {}, const Spread& spread = InPlace);
 
-/// Likewise, of MeshFormat::kGlb alone; what `cache` has takes neither room nor time, what it has not it gets. Passes
-/// on what `room_for` says.
+/// Likewise, of MeshFormat::kGlb alone; what `cache` has takes neither room nor time, what it has not it gets. Nor does
+/// what the client has, where the state tells (GlbPlan::state_name). Passes on what `room_for` says.
 Result<MeshFile> ExportGlb(const std::shared_ptr<const MapSnapshot>& map, const MeshRequest& request, GlbCache& cache,
                            const RoomFor& room_for, const std::stop_token& stop = {}, const Spread& spread = InPlace);
 

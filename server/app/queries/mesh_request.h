@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mapping/base/ids.h"
@@ -22,6 +23,7 @@ struct MeshRequest {
   std::vector<SubmapId> only;      ///< of kGlb without a submap: these, of which those that are not there are left out
   MeshColoring coloring = MeshColoring::kSensor;
   MeshFormat format = MeshFormat::kPly;
+  std::string held_etags = {};  ///< of kGlb: etags of the files that the client has, with commas between them
 };
 
 }  // namespace dhpmap

@@ -4,25 +4,32 @@ import { ApiError } from "../api/ask";
 import {
   cloneObject,
   deleteObject,
-  listEdits,
+  ignoreRegion,
+  lockObject,
   mergeObjects,
   moveObject,
   redoEdit,
+  relabelObject,
   renameObject,
   splitObject,
   undoEdit,
+  unignoreRegion,
 } from "../api/edits";
 import { getObject } from "../api/maps";
 import type { EditOutcome, MapObject, Pose } from "../api/types";
 import { nameOfEdit, noteEdit, noteRedo, noteUndo } from "../state/history";
 import { withChanges } from "../state/objects";
-import type { Draft, ViewStore } from "../state/view";
+import type { Draft, RegionDraft, ViewStore } from "../state/view";
+import type { EditLog } from "./edit_log";
 
 export class Edits {
   /** Of the edit under way; the next one waits for it. */
   private turn: Promise<void> = Promise.resolve();
 
-  constructor(private readonly store: ViewStore) {}
+  constructor(
+    private readonly store: ViewStore,
+    private readonly log: EditLog,
+  ) {}
 
   /** Shown at once, and back where it was if the server does not take it. `touched`: what it would touch there. */
   move(object: MapObject, pose: Pose, touched: Promise<readonly string[]>): Promise<void> {
@@ -106,6 +113,29 @@ export class Edits {
     );
   }
 
+  relabel(object: MapObject, className: string): Promise<void> {
+    return this.run(object, `${object.label} is a ${className} now`, async (map, present) =>
+      (await relabelObject(map, present, className)).revision,
+    );
+  }
+
+  lock(object: MapObject, isLocked: boolean): Promise<void> {
+    const done = isLocked ? `Locked ${object.label}: robots leave it as it is` : `Unlocked ${object.label}`;
+    return this.run(object, done, async (map, present) => (await lockObject(map, present, isLocked)).revision);
+  }
+
+  ignore({ name, box, clears }: RegionDraft): Promise<void> {
+    return this.run(null, `Robots map nothing in “${name}” any more`, async (map) => {
+      const { revision } = await ignoreRegion(map, name, box, clears);
+      this.store.set("regionDraft", null);
+      return revision;
+    });
+  }
+
+  lift(name: string): Promise<void> {
+    return this.run(null, `Robots map in “${name}” again`, async (map) => (await unignoreRegion(map, name)).revision);
+  }
+
   delete(object: MapObject): Promise<void> {
     return this.run(object, `Deleted ${object.label}`, (map, present) => deleteObject(map, present));
   }
@@ -132,19 +162,15 @@ export class Edits {
     });
   }
 
-  async refreshHistory(): Promise<void> {
-    const map = this.store.get("map");
-    if (map) this.store.set("history", await listEdits(map.name).catch(() => []));
-  }
-
   private async say(text: string): Promise<void> {
     this.store.set("toast", { text, tone: "plain" });
   }
 
-  private run(
-    object: MapObject,
+  /** `object`: what it is about, if it is about one. */
+  private run<Object extends MapObject | null>(
+    object: Object,
     done: string,
-    edit: (map: string, object: MapObject) => Promise<number | { revision: number; note: string }>,
+    edit: (map: string, object: Object) => Promise<number | { revision: number; note: string }>,
   ): Promise<void> {
     return this.queue(async (map) => {
       const made = await edit(map, object);
@@ -155,8 +181,12 @@ export class Edits {
     }, object);
   }
 
-  private queue(task: (map: string) => Promise<void>, object?: MapObject): Promise<void> {
+  private queue(task: (map: string) => Promise<void>, object: MapObject | null = null): Promise<void> {
     const map = this.store.get("map");
+    if (this.store.get("at") !== null) {
+      this.store.set("pending", null);
+      return this.say("This is how it was: nothing can be changed here. N takes you back to now.");
+    }
     this.turn = this.turn.then(async () => {
       if (!map || this.store.get("map")?.historyId !== map.historyId) return; // another one was opened meanwhile
       try {
@@ -168,7 +198,7 @@ export class Edits {
       } finally {
         if (object && this.store.get("pending")?.id === object.id) this.store.set("pending", null);
       }
-      await this.refreshHistory();
+      await this.log.refresh();
     });
     return this.turn;
   }
@@ -184,7 +214,7 @@ export class Edits {
     );
   }
 
-  private async failed(error: unknown, object?: MapObject): Promise<void> {
+  private async failed(error: unknown, object: MapObject | null): Promise<void> {
     const why = error instanceof Error ? error.message : String(error);
     const isConflict = error instanceof ApiError && error.isConflict;
     const text =

@@ -18,7 +18,7 @@ export interface FirstAnswers {
 export const chosenMap = (maps: readonly MapInfo[], id: string): MapInfo | null =>
   (id === "" ? maps[0] : maps.find((map) => map.id === id)) ?? null;
 
-export const askWhole = (map: string) => Promise.all([getMap(map), listObjects(map)] as const);
+export const askWhole = (map: string) => Promise.all([getMap(map), listObjects({ name: map, at: null })] as const);
 
 export class Ahead {
   readonly maps = listMaps();
@@ -32,7 +32,7 @@ export class Ahead {
         const map = chosenMap(maps, mapId);
         if (!map) return;
         const isOne = map.numObjects > 0 && map.numObjects <= mostAtOnce;
-        const surfaces = isOne ? getSurfaces(map.name, [], onBytes) : null;
+        const surfaces = isOne ? getSurfaces({ name: map.name, at: null }, [], onBytes) : null;
         const whole = askWhole(map.name);
         // Who takes them hears of what goes wrong; until then nobody needs to.
         for (const answer of [surfaces, whole]) answer?.catch(() => undefined);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edits of a map; each answers with the revision that has it.
 import { askJson, post } from "./ask";
-import { asJson, asList, asNumber, asText, idOfName, readEdit } from "./read";
-import type { Cut, EditOutcome, LoggedEdit, MapObject, Pose } from "./types";
+import { asJson, asList, asNumber, asText, idOfName, readEdit, readRegion } from "./read";
+import type { AxisBox, Cut, EditOutcome, IgnoredRegion, LoggedEdit, MapObject, Pose } from "./types";
 
 const author = "viewer";
 
@@ -53,6 +53,25 @@ export const splitObject = (map: string, object: MapObject, cut: Cut, isTrial: b
     isTrial,
   );
 
+/** Another class of the same kind; mapping no longer changes it. */
+export const relabelObject = (map: string, object: MapObject, className: string): Promise<EditOutcome> =>
+  apply(map, { submap: object.name, etag: object.etag, relabel: { class_name: className } });
+
+/** Whether mapping may change it. */
+export const lockObject = (map: string, object: MapObject, isLocked: boolean): Promise<EditOutcome> =>
+  apply(map, { submap: object.name, etag: object.etag, [isLocked ? "lock" : "unlock"]: {} });
+
+/** From now on mapping takes nothing in there; `clears`: what is there goes, too. */
+export const ignoreRegion = (map: string, name: string, box: AxisBox, clears: boolean): Promise<EditOutcome> =>
+  apply(map, clears ? { clear: { box, ignored_region_name: name } } : { ignore_region: { name, box } });
+
+export const unignoreRegion = (map: string, name: string): Promise<EditOutcome> =>
+  apply(map, { unignore_region: { name } });
+
+export async function listRegions(map: string): Promise<readonly IgnoredRegion[]> {
+  return asList((await askJson(`${map}/ignoredRegions`))["ignored_regions"]).map(readRegion);
+}
+
 export async function undoEdit(map: string, revision: number): Promise<number> {
   return asNumber((await post(`${map}:undoEdits`, { edit: `${map}/edits/${revision}`, author }))["revision"]);
 }
@@ -61,6 +80,7 @@ export async function redoEdit(map: string, revision: number): Promise<number> {
   return asNumber((await post(`${map}:redoEdits`, { edit: `${map}/edits/${revision}`, author }))["revision"]);
 }
 
-export async function listEdits(map: string): Promise<readonly LoggedEdit[]> {
-  return asList((await askJson(`${map}/edits?page_size=100`))["edits"]).map(readEdit);
+/** The newest first. */
+export async function listEdits(map: string, most: number): Promise<readonly LoggedEdit[]> {
+  return asList((await askJson(`${map}/edits?page_size=${most}`))["edits"]).map(readEdit);
 }

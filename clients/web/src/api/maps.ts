@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps, their objects and the surfaces of these.
 import { ask, askJson, base } from "./ask";
-import { asList, asNumber, asText, readMap, readObject } from "./read";
-import type { MapInfo, MapObject } from "./types";
+import { asJson, asList, asNumber, asText, readMap, readObject } from "./read";
+import type { KeptRevision, MapInfo, MapObject, MapState } from "./types";
 
 export async function listMaps(): Promise<readonly MapInfo[]> {
   return asList((await askJson("maps"))["maps"]).map(readMap);
@@ -13,12 +13,22 @@ export async function getMap(map: string): Promise<MapInfo> {
   return readMap(json["map"] ?? json);
 }
 
+/** What the server can still show, the newest first. */
+export async function listRevisions(map: string): Promise<readonly KeptRevision[]> {
+  return asList((await askJson(`${map}/revisions`))["revisions"]).map((item) => {
+    const json = asJson(item);
+    return { revision: asNumber(json["revision"]), time_ms: Date.parse(asText(json["update_time"])) || 0 };
+  });
+}
+
+const askedAt = (revision: number | null): string => (revision === null ? "" : `&read_revision=${revision}`);
+
 /** All objects, and the revision of the first page: who watches from the next one on misses nothing. */
-export async function listObjects(map: string): Promise<{ revision: number; objects: MapObject[] }> {
+export async function listObjects(map: MapState): Promise<{ revision: number; objects: MapObject[] }> {
   const objects: MapObject[] = [];
   let revision = 0;
   for (let token = ""; ;) {
-    const page = await askJson(`${map}/submaps?page_token=${encodeURIComponent(token)}`);
+    const page = await askJson(`${map.name}/submaps?page_token=${encodeURIComponent(token)}${askedAt(map.at)}`);
     if (revision === 0) revision = asNumber(page["revision"]);
     for (const object of asList(page["submaps"])) objects.push(readObject(object));
     token = asText(page["next_page_token"]);
@@ -34,16 +44,16 @@ export const urlOfObject = (name: string): string => location.origin + base + na
 
 /** Surfaces as GLB, each in its object's own frame; no ids: of all that is present. `onBytes` hears of each part. */
 export async function getSurfaces(
-  map: string,
+  map: MapState,
   ids: readonly string[],
   onBytes: (bytes: number) => void,
   signal?: AbortSignal,
 ): Promise<ArrayBuffer> {
   const only =
     ids.length === 1
-      ? `${map}/submaps/${ids[0]}/mesh?format=GLB`
-      : `${map}/mesh?format=GLB${ids.length > 0 ? `&instance_ids=${ids.join(",")}` : ""}`;
-  const response = await ask(only, { cache: "no-cache", ...(signal ? { signal } : {}) });
+      ? `${map.name}/submaps/${ids[0]}/mesh?format=GLB`
+      : `${map.name}/mesh?format=GLB${ids.length > 0 ? `&instance_ids=${ids.join(",")}` : ""}`;
+  const response = await ask(only + askedAt(map.at), { cache: "no-cache", ...(signal ? { signal } : {}) });
   const reader = response.body?.getReader();
   if (!reader) return response.arrayBuffer();
   const parts: Uint8Array[] = [];

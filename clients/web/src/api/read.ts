@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From the JSON of the API to the viewer's own words.
-import type { Kind, LoggedEdit, MapInfo, MapObject, ObjectChange, Pose, Quaternion, Vector3 } from "./types";
+import type {
+  IgnoredRegion,
+  Kind,
+  LabelClass,
+  LoggedEdit,
+  MapInfo,
+  MapObject,
+  ObjectChange,
+  Pose,
+  Quaternion,
+  Vector3,
+} from "./types";
 
 type Json = { readonly [name: string]: unknown };
 
@@ -60,6 +71,23 @@ export function readObject(value: unknown): MapObject {
   };
 }
 
+function readClass(value: unknown): LabelClass {
+  const json = asJson(value);
+  return { name: asText(json["name"]), kind: kinds[asText(json["kind"])] ?? "unknown" };
+}
+
+export function readRegion(value: unknown): IgnoredRegion {
+  const json = asJson(value);
+  const name = asText(json["name"]);
+  const box = asJson(json["box"]);
+  if (json["sphere"] === undefined)
+    return { name, box: { min_m: readVector(box["min_m"]), max_m: readVector(box["max_m"]) } };
+  const ball = asJson(json["sphere"]);
+  const { x, y, z } = readVector(ball["center_m"]);
+  const r = asNumber(ball["radius_m"]);
+  return { name, box: { min_m: { x: x - r, y: y - r, z: z - r }, max_m: { x: x + r, y: y + r, z: z + r } } };
+}
+
 export function readMap(value: unknown): MapInfo {
   const json = asJson(value);
   const name = asText(json["name"]);
@@ -71,6 +99,7 @@ export function readMap(value: unknown): MapInfo {
     numFrames: asNumber(json["num_frames"]),
     numObjects: asNumber(json["num_submaps"]),
     historyId: asText(json["history_id"]),
+    classes: asList(json["label_classes"]).map(readClass),
   };
 }
 
@@ -91,6 +120,7 @@ export function readEdit(value: unknown): LoggedEdit {
     what: kind === "EDIT" ? [...new Set(steps)].join(", ") : kind.toLowerCase(),
     objects: objects.map((object) => idOfName(asText(object))),
     isUndone: json["undone"] === true,
+    targets: asList(json["targets"]).map(asText),
   };
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a robot can go somewhere.
 import { post } from "./ask";
+import { askedAt } from "./queries";
 import { asJson, asList, asNumber, asText, idOfName, readVector } from "./read";
-import type { PathAnswer, Vector3 } from "./types";
+import type { MapState, PathAnswer, Vector3 } from "./types";
 
 interface Ball {
   readonly center_m: Vector3;
@@ -11,16 +12,17 @@ interface Ball {
 
 /** A robot of balls along straight lines from place to place. `seenAlone`: what nobody has seen is in the way. */
 export async function checkPath(
-  map: string,
+  map: MapState,
   robot: readonly Ball[],
   points: readonly Vector3[],
   seenAlone: boolean,
 ): Promise<PathAnswer> {
-  const answer = await post(`${map}:checkTrajectory`, {
+  const answer = await post(`${map.name}:checkTrajectory`, {
     robot,
     trajectories: [{ waypoints: points.map((translation_m) => ({ translation_m })) }],
     options: { unknown_policy: seenAlone ? "OCCUPIED" : "FREE" },
     include_clearance: true,
+    ...askedAt(map),
   });
   const result = asJson(asList(answer["results"])[0]);
   const first = asJson(asList(result["contacts"])[0]);

@@ -42,6 +42,24 @@ export interface MapObject {
   readonly etag: string;
 }
 
+/** Upright along the axes of the map frame. */
+export interface AxisBox {
+  readonly min_m: Vector3;
+  readonly max_m: Vector3;
+}
+
+/** Where mapping takes nothing any more. */
+export interface IgnoredRegion {
+  readonly name: string;
+  /** Around the ball, of one that is a ball. */
+  readonly box: AxisBox;
+}
+
+export interface LabelClass {
+  readonly name: string;
+  readonly kind: Kind;
+}
+
 export interface MapInfo {
   readonly name: string;
   readonly id: string;
@@ -50,6 +68,19 @@ export interface MapInfo {
   readonly numFrames: number;
   readonly numObjects: number;
   readonly historyId: string;
+  readonly classes: readonly LabelClass[];
+}
+
+/** A map at a revision; null: as it is now. */
+export interface MapState {
+  readonly name: string;
+  readonly at: number | null;
+}
+
+/** A state that the server still has. */
+export interface KeptRevision {
+  readonly revision: number;
+  readonly time_ms: number;
 }
 
 export interface LoggedEdit {
@@ -60,6 +91,8 @@ export interface LoggedEdit {
   readonly what: string;
   readonly objects: readonly string[];
   readonly isUndone: boolean;
+  /** Of an undo, or of doing again: what it takes back, or makes again, by name. */
+  readonly targets: readonly string[];
 }
 
 /** What became of an object. */
@@ -88,6 +121,25 @@ export interface SurfacePoint {
   readonly neighbour: string | null;
   readonly ownerId: string | null;
   readonly classConfidence: number;
+}
+
+/** How far an object's surface is from a place. */
+export interface NearObject {
+  readonly id: string;
+  readonly label: string;
+  readonly kind: Kind;
+  readonly distance_m: number;
+}
+
+/** What a ray meets. */
+export interface RayAnswer {
+  /** Null: nothing, as far as it was followed. */
+  readonly point_m: Vector3 | null;
+  readonly distance_m: number;
+  /** Up to what it meets, or to where nobody has looked. */
+  readonly free_m: number;
+  readonly isSeen: boolean;
+  readonly id: string | null;
 }
 
 /** An object that is touched; `isUnder`: by its upper side, as a floor is by what stands on it. */

@@ -48,16 +48,17 @@ export function actionsCard(store: ViewStore, edits: Edits, object: MapObject): 
     store.set("hiddenObjects", new Set([...store.get("hiddenObjects"), object.id]));
     store.set("selected", null);
   });
+  const canEdit = object.kind === "thing" && store.get("at") === null;
   const remove = button(null, "Delete", "Delete it from the map; can be undone", () => void edits.delete(object));
   remove.classList.add("danger");
   return el(
     "footer",
     { class: "card actions" },
-    ...(object.kind === "thing" ? thingButtons(store, edits, object) : []),
+    ...(canEdit ? thingButtons(store, edits, object) : []),
     copy("Copy as curl", curlOf(object.name)),
     copy("Copy as Python", pythonOf(object.name)),
     hide,
-    object.kind === "thing" ? remove : null,
+    canEdit ? remove : null,
   );
 }
 

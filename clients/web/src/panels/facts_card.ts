@@ -13,7 +13,7 @@ export function factsCard(object: MapObject, newest_ns: bigint): HTMLElement {
     ["Presence", object.isPresent ? (object.isConfirmed ? "there" : "there, seen too little to be sure") : "gone"],
     ["Last seen", lastSeen(object, newest_ns)],
     ["Seen in", `${object.numFrames} frames`],
-    ["Locked", object.isLocked ? "yes" : "no"],
+    ["Locked", object.isLocked ? "robots leave it as it is" : "no"],
     ["Id", `#${object.id}, revision ${object.revision}`],
   ]);
 }

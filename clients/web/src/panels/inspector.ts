@@ -5,29 +5,50 @@ import type { MapObject } from "../api/types";
 import { classColour, cssColour } from "../scene/colours";
 import type { ViewStore } from "../state/view";
 import type { MoveTool } from "../tools/move";
+import { classCard } from "./class_card";
 import { button, el } from "./dom";
 import { newDraftCard } from "./draft_card";
 import { actionsCard, logCard } from "./edit_cards";
 import { factsCard } from "./facts_card";
-import { newPathCard } from "./path_card";
+import { nearCard } from "./near_card";
 import { poseCard } from "./pose_card";
-import { newSliceCard } from "./slice_card";
 import { probeCard } from "./probe_card";
 
 export class Inspector {
   readonly element = el("aside", { class: "panel inspector", aria: { label: "Selection" } });
 
   private readonly cardsOfAll = el("div");
+  private readonly toolCards: readonly HTMLElement[];
 
   constructor(
     private readonly store: ViewStore,
     private readonly edits: Edits,
     private readonly moveTool: MoveTool,
     private readonly focusOn: (id: string) => void,
+    toolCards: readonly HTMLElement[],
   ) {
-    this.element.append(newSliceCard(store), newPathCard(store), newDraftCard(store, edits), this.cardsOfAll);
+    this.element.append(...toolCards, newDraftCard(store, edits), this.cardsOfAll);
+    this.toolCards = toolCards;
     store.follow(
-      ["selected", "objects", "history", "pending", "probe", "undoable", "slice_m", "tool", "path", "draft"],
+      [
+        "selected",
+        "objects",
+        "history",
+        "pending",
+        "probe",
+        "undoable",
+        "slice_m",
+        "tool",
+        "path",
+        "draft",
+        "at",
+        "ray",
+        "measured_m",
+        "clip",
+        "near",
+        "asksNear",
+        "nearClass",
+      ],
       () => this.draw(),
     );
   }
@@ -37,8 +58,8 @@ export class Inspector {
     const object = this.store.get("objects").get(this.store.get("selected") ?? "");
     this.element.dataset["id"] = object?.id ?? "";
     const probe = probeCard(this.store);
-    const isPath = this.store.get("tool") === "path" || this.store.get("path").points_m.length > 0;
-    this.element.hidden = !object && !probe && !isPath && this.store.get("slice_m") === null;
+    // They have followed the same keys before.
+    this.element.hidden = !object && !probe && this.toolCards.every((card) => card.hidden);
     document.body.classList.toggle("has-inspector", !this.element.hidden);
     this.cardsOfAll.replaceChildren(...(probe ? [probe] : []), ...(object ? this.cards(object) : []));
   }
@@ -47,7 +68,9 @@ export class Inspector {
   private isBeingTypedIn(): boolean {
     const { activeElement } = document;
     const isSame = this.element.dataset["id"] === (this.store.get("selected") ?? "");
-    const isInput = activeElement instanceof HTMLInputElement && activeElement.type !== "range";
+    const isInput =
+      (activeElement instanceof HTMLInputElement && activeElement.type !== "range") ||
+      activeElement instanceof HTMLSelectElement;
     return isSame && isInput && this.cardsOfAll.contains(activeElement);
   }
 
@@ -58,18 +81,22 @@ export class Inspector {
     return [
       this.head(object),
       factsCard(object, newest_ns),
+      ...[classCard(store, edits, object)].filter((card) => card !== null),
       poseCard(store, moveTool, object),
+      nearCard(store, object),
       logCard(store, edits, object),
       actionsCard(store, edits, object),
     ];
   }
 
   private head(object: MapObject): HTMLElement {
+    const { store } = this;
     const swatch = el("span", { class: "swatch large" });
     swatch.style.background = cssColour(classColour(object));
     const name = el("input", {
       class: "title",
       value: object.label,
+      disabled: store.get("at") !== null,
       aria: { label: "Name of the object" },
       title: "Enter renames; empty: the class's name",
     });
@@ -90,7 +117,7 @@ export class Inspector {
       swatch,
       name,
       button("frame", "", "Go there (F)", () => this.focusOn(object.id)),
-      button("close", "", "Let go (Esc)", () => this.store.set("selected", null)),
+      button("close", "", "Let go (Esc)", () => store.set("selected", null)),
     );
   }
 }

@@ -2,6 +2,7 @@
 import { Vector3 } from "three";
 import { toggleSlice } from "../actions/toggle_slice";
 import type { Edits } from "../actions/edits";
+import { toggleTool } from "../actions/toggle_tool";
 import { colourModes, type ViewStore } from "../state/view";
 import type { MoveTool } from "../tools/move";
 import type { WalkTool } from "../tools/walk";
@@ -12,6 +13,11 @@ export interface KeyActions {
   frameAll(): void;
   lookDown(): void;
   toggleList(): void;
+  /** null: now. */
+  showRevision(revision: number | null): void;
+  stepTime(by: 1 | -1): Promise<void>;
+  toggleClip(): void;
+  saveScreenshot(): void;
 }
 
 const step_m = 0.05;
@@ -40,10 +46,13 @@ export function listenToKeys(
     if (moveTool.isBusy) return moveTool.cancel();
     if (store.get("draft")) return store.set("draft", null);
     if (store.get("walks")) return store.set("walks", false);
+    if (store.get("regionDraft")) return store.set("regionDraft", null);
     if (store.get("tool") !== "select") store.set("tool", "select");
     else if (store.get("selected") !== null) store.set("selected", null);
     else store.set("query", "");
     store.set("probe", null);
+    store.set("ray", null);
+    store.set("measured_m", []);
   };
   const byKey: { readonly [key: string]: () => void } = {
     "/": actions.focusSearch,
@@ -56,10 +65,19 @@ export function listenToKeys(
     b: () => store.set("showsBoxes", !store.get("showsBoxes")),
     x: hideSelected,
     Escape: letGo,
-    p: () => store.set("tool", store.get("tool") === "probe" ? "select" : "probe"),
-    r: () => store.set("tool", store.get("tool") === "path" ? "select" : "path"),
+    p: () => toggleTool(store, "probe"),
+    r: () => toggleTool(store, "path"),
+    d: () => toggleTool(store, "ray"),
+    m: () => toggleTool(store, "measure"),
+    i: () => toggleTool(store, "region"),
+    c: actions.toggleClip,
+    g: actions.saveScreenshot,
     w: () => store.set("walks", !store.get("walks")),
     "?": () => store.set("showsHelp", true),
+    e: () => store.set("showsTime", !store.get("showsTime")),
+    n: () => actions.showRevision(null),
+    ",": () => void actions.stepTime(-1),
+    ".": () => void actions.stepTime(1),
     "[": () => moveTool.turn(Math.PI / 12),
     "]": () => moveTool.turn(-Math.PI / 12),
   };

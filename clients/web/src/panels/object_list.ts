@@ -180,6 +180,7 @@ export class ObjectList {
       this.store.set("query", "");
       this.search.blur();
     } else if (event.key === "Enter" || event.key === "ArrowDown") {
+      if (this.asked) this.draw(); // who types fast means what is found, not what is still listed
       const first = this.rows.querySelector<HTMLElement>(".row-name, .class-name[data-id]");
       first?.focus();
       if (event.key === "Enter") first?.click();

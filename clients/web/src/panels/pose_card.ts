@@ -11,6 +11,7 @@ import { metres, numberField } from "./fields";
 export function poseCard(store: ViewStore, moveTool: MoveTool, object: MapObject): HTMLElement {
   const pending = store.get("pending");
   const pivot = pivotOf(object);
+  const isFixed = object.kind !== "thing" || store.get("at") !== null;
   const shift =
     pending?.id === object.id
       ? new Vector3(
@@ -20,10 +21,10 @@ export function poseCard(store: ViewStore, moveTool: MoveTool, object: MapObject
         )
       : new Vector3();
   const field = (axis: "x" | "y" | "z") =>
-    numberField(axis.toUpperCase(), metres(pivot[axis] + shift[axis]), "m", object.kind !== "thing", (value) => {
+    numberField(axis.toUpperCase(), metres(pivot[axis] + shift[axis]), "m", isFixed, (value) => {
       moveTool.shift(new Vector3().setComponent("xyz".indexOf(axis), value - pivot[axis]));
     });
-  const turn = numberField("Turn by", "0", "°", object.kind !== "thing", (value) =>
+  const turn = numberField("Turn by", "0", "°", isFixed, (value) =>
     moveTool.turn((value * Math.PI) / 180),
   );
   return el(
@@ -34,9 +35,11 @@ export function poseCard(store: ViewStore, moveTool: MoveTool, object: MapObject
     el(
       "p",
       { class: "muted" },
-      object.kind === "thing"
-        ? "Drag it over the floor, turn it by its ring, or type and press Enter."
-        : "Backgrounds stay where they are.",
+      store.get("at") !== null
+        ? "As it was then."
+        : object.kind === "thing"
+          ? "Drag it over the floor, turn it by its ring, or type and press Enter."
+          : "Backgrounds stay where they are.",
     ),
   );
 }

@@ -3,7 +3,7 @@ import type { Edits } from "../actions/edits";
 import type { Renderer } from "../scene/renderer";
 import { nameOfEdit } from "../state/history";
 import { numListed } from "../state/objects";
-import type { ColourMode, ViewStore } from "../state/view";
+import type { ColourMode, Tool, ViewStore } from "../state/view";
 import { button, el } from "./dom";
 
 const toast_ms = 9000;
@@ -12,6 +12,12 @@ const legends: { readonly [Mode in ColourMode]?: string } = {
   confidence: "Amber: its class is not certain. Grey: nearly all views agree.",
   "last seen": "Amber: not seen for the longest. Grey: seen last.",
   presence: "Amber: gone, or not known. Grey: there.",
+};
+
+const hints: { readonly [Name in Tool]?: string } = {
+  ray: "Click where the ray begins, then what it goes through. D ends it.",
+  measure: "Click one end on a surface, then the other. M ends it.",
+  region: "Click one corner on the floor, then the opposite one. I ends it.",
 };
 
 /** One line: what has just happened, what is under the cursor, how much is shown. */
@@ -27,7 +33,7 @@ export class StatusBar {
     private readonly edits: Edits,
   ) {
     this.element = el("footer", { class: "status" }, this.said, el("span", { class: "gap" }), this.amount);
-    store.follow(["toast", "tool", "selected", "link", "colour", "touched", "draft", "walks"], () => this.say());
+    store.follow(["toast", "tool", "selected", "link", "colour", "touched", "draft", "walks", "at"], () => this.say());
     store.follow(["objects", "phase", "showsGone", "robots"], () => this.count());
   }
 
@@ -56,7 +62,7 @@ export class StatusBar {
       this.said.replaceChildren(this.hint());
       return;
     }
-    const { undoRevision } = toast;
+    const undoRevision = this.store.get("at") === null ? toast.undoRevision : undefined;
     this.said.replaceChildren(
       toast.text,
       ...(undoRevision === undefined
@@ -69,10 +75,14 @@ export class StatusBar {
   private hint(): string {
     if (this.store.get("link") === "lost")
       return "The server does not answer. What is shown is as it was; it goes on by itself.";
+    if (this.store.get("at") !== null && this.store.get("tool") === "select")
+      return "This is how it was; look and ask, nothing can be changed. , and . go back and on, N back to now.";
     if (this.store.get("tool") === "probe")
       return "Click a point: what is there, how far is the nearest surface. P ends it.";
     if (this.store.get("walks")) return "Arrow keys walk, Shift faster, a drag looks around. W or Esc goes back up.";
     if (this.store.get("tool") === "path") return "Click places on the floor: the robot goes from one to the next. R ends it.";
+    const hint = hints[this.store.get("tool")];
+    if (hint) return hint;
     if (this.store.get("draft")?.is === "merge") return "Click what shall become a part of it. Esc leaves it.";
     const legend = legends[this.store.get("colour")];
     if (legend) return legend;

@@ -2,16 +2,27 @@
 import type { Edits } from "../actions/edits";
 import type { MapInfo } from "../api/types";
 import { toggleSlice } from "../actions/toggle_slice";
+import { toggleTool } from "../actions/toggle_tool";
 import { nameOfEdit } from "../state/history";
-import { colourModes, type ColourMode, type ViewStore } from "../state/view";
-import { button, el, icon } from "./dom";
+import { colourModes, type ColourMode, type Tool, type ViewStore } from "../state/view";
+import { button, el, icon, type IconName } from "./dom";
 
 export interface TopBarActions {
   openMap(map: MapInfo): void;
   frameAll(): void;
   lookDown(): void;
   toggleList(): void;
+  toggleClip(): void;
+  saveScreenshot(): void;
 }
+
+const toolButtons: readonly (readonly [Tool, IconName, string])[] = [
+  ["probe", "probe", "Probe (P): what is at a point, how far is the nearest surface"],
+  ["ray", "ray", "Ray (D): what does it meet first"],
+  ["measure", "measure", "Measure (M): from one place to another"],
+  ["path", "path", "Path (R): can a robot go there, and what does it touch first"],
+  ["region", "region", "Ignored regions (I): where robots map nothing"],
+];
 
 const next = { system: "dark", dark: "light", light: "system" } as const;
 
@@ -28,15 +39,19 @@ export class TopBar {
     const undo = button("undo", "", "Undo", () => void edits.undo());
     const redo = button("redo", "", "Do again", () => void edits.redo());
     const boxes = button("box", "", "Boxes (B)", () => store.set("showsBoxes", !store.get("showsBoxes")));
-    const probe = button("probe", "", "Probe (P): what is at a point, how far is the nearest surface", () =>
-      store.set("tool", store.get("tool") === "probe" ? "select" : "probe"),
-    );
+    const tools = toolButtons.map(([tool, name, title]) => {
+      const element = button(name, "", title, () => toggleTool(store, tool));
+      store.follow(["tool"], () => element.setAttribute("aria-pressed", String(store.get("tool") === tool)));
+      return element;
+    });
+    const clip = button("clip", "", "Clip box (C): only what is in it", actions.toggleClip);
+    const picture = button("camera", "", "Save the picture (G), with the link of the view", actions.saveScreenshot);
     const slice = button("slice", "", "Slice (S): occupied, free and unknown at a height", () => toggleSlice(store));
     const walk = button("walk", "", "Walk (W): at the height of the eyes, by arrow keys", () =>
       store.set("walks", !store.get("walks")),
     );
-    const path = button("path", "", "Path (R): can a robot go there, and what does it touch first", () =>
-      store.set("tool", store.get("tool") === "path" ? "select" : "path"),
+    const time = button("clock", "", "Earlier states (E), and what has changed since", () =>
+      store.set("showsTime", !store.get("showsTime")),
     );
     const theme = button("theme", "", "Dark, light or as the system", () =>
       store.set("theme", next[store.get("theme")]),
@@ -58,10 +73,12 @@ export class TopBar {
         button("top", "", "From above (T)", actions.lookDown),
         walk,
         boxes,
-        probe,
         slice,
-        path,
+        clip,
+        time,
+        picture,
       ),
+      el("span", { class: "group" }, ...tools),
       el("span", { class: "group" }, undo, redo),
       el(
         "span",
@@ -75,21 +92,23 @@ export class TopBar {
       link.dataset["link"] = store.get("link");
       link.textContent = store.get("phase").is === "locked" ? "asks for a key" : texts[store.get("link")];
     });
-    store.follow(["revision"], () => {
-      revision.textContent = store.get("revision") > 0 ? `revision ${store.get("revision")}` : "";
+    store.follow(["revision", "at"], () => {
+      const past = store.get("at") === null ? "" : ", in the past";
+      revision.textContent = store.get("revision") > 0 ? `revision ${store.get("revision")}${past}` : "";
+      revision.classList.toggle("is-past", past !== "");
     });
-    store.follow(["showsBoxes", "tool", "slice_m", "walks"], () => {
+    store.follow(["showsBoxes", "slice_m", "walks", "showsTime", "clip"], () => {
+      time.setAttribute("aria-pressed", String(store.get("showsTime")));
       walk.setAttribute("aria-pressed", String(store.get("walks")));
       slice.setAttribute("aria-pressed", String(store.get("slice_m") !== null));
       boxes.setAttribute("aria-pressed", String(store.get("showsBoxes")));
-      path.setAttribute("aria-pressed", String(store.get("tool") === "path"));
-      probe.setAttribute("aria-pressed", String(store.get("tool") === "probe"));
+      clip.setAttribute("aria-pressed", String(store.get("clip") !== null));
     });
-    store.follow(["undoable", "redoable", "history"], () => {
+    store.follow(["undoable", "redoable", "history", "at"], () => {
       const last = store.get("undoable").at(-1);
       const again = store.get("redoable").at(-1);
-      undo.disabled = last === undefined;
-      redo.disabled = again === undefined;
+      undo.disabled = last === undefined || store.get("at") !== null;
+      redo.disabled = again === undefined || store.get("at") !== null;
       undo.title = last === undefined ? "Nothing to undo" : `Undo: ${nameOfEdit(store, last)} (Ctrl+Z)`;
       redo.title = again === undefined ? "Nothing to do again" : `Do again: ${nameOfEdit(store, again)} (Ctrl+Shift+Z)`;
     });

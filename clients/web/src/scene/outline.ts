@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {
   Color,
+  Plane,
+  Vector3,
   Mesh,
   MeshBasicMaterial,
   OrthographicCamera,
@@ -11,6 +13,7 @@ import {
   Vector2,
   WebGLRenderTarget,
   type Camera,
+  type Box3,
   type WebGLRenderer,
 } from "three";
 import type { ObjectMesh } from "./object_mesh";
@@ -63,6 +66,21 @@ export class Outline {
     const quad = new Mesh(new PlaneGeometry(2, 2), this.material);
     quad.frustumCulled = false;
     this.screen.add(quad);
+  }
+
+  /** What is beyond the box has no outline. */
+  setClip(box: Box3 | null): void {
+    const planes = box && [0, 1, 2].flatMap((axis) => {
+      const normal = new Vector3().setComponent(axis, 1);
+      return [
+        new Plane(normal, -box.min.getComponent(axis)),
+        new Plane(normal.clone().negate(), box.max.getComponent(axis)),
+      ];
+    });
+    for (const material of [this.red, this.green]) {
+      material.clippingPlanes = planes;
+      material.needsUpdate = true;
+    }
   }
 
   setHoverColour(css: string): void {

@@ -13,6 +13,7 @@ import {
   type Object3D,
 } from "three";
 import type { Surface } from "../api/glb";
+import type { AxisBox } from "../api/types";
 import { Boxes } from "./boxes";
 import { Camera } from "./camera";
 import { Frames } from "./frames";
@@ -21,6 +22,7 @@ import { ObjectMesh } from "./object_mesh";
 import { Outline } from "./outline";
 import { Pace, isWithoutGpu } from "./pace";
 import { UnseenGround } from "./unseen";
+import { inClipBox, setClipBox } from "./clip_box";
 import { light } from "./surface_material";
 
 export interface Hit {
@@ -65,6 +67,7 @@ export class Renderer {
     this.isWithoutGpu = isWithoutGpu(this.three.getContext());
     this.pace = new Pace(this.isWithoutGpu);
     this.three.autoClear = false;
+    this.three.localClippingEnabled = true; // of the outline
     this.camera = new Camera(this.frames, () => this.cameraMoved());
     this.raycaster.firstHitOnly = true;
     this.grid.rotation.x = Math.PI / 2;
@@ -160,12 +163,21 @@ export class Renderer {
   /** The first shown surface under a place of the canvas, -1 to 1. */
   pick(place: Vector2, isPicked: (id: string) => boolean = () => true): Hit | null {
     this.raycaster.setFromCamera(place, this.camera.three);
+    const range = inClipBox(this.raycaster.ray);
+    if (!range) return null;
+    [this.raycaster.near, this.raycaster.far] = range;
     const meshes: Object3D[] = [];
     for (const object of this.objects.values()) {
       if (object.mesh.visible && isPicked(object.id)) meshes.push(object.mesh);
     }
     const hit = this.raycaster.intersectObjects(meshes, false)[0];
     return hit ? { id: hit.object.name, point: hit.point, distance_m: hit.distance } : null;
+  }
+
+  /** Surfaces beyond it are neither drawn nor picked; null: all are. */
+  setClip(box: AxisBox | null): void {
+    this.outline.setClip(setClipBox(box));
+    this.frames.invalidate();
   }
 
   /** Around all that is shown, in the map frame. */
@@ -212,6 +224,16 @@ export class Renderer {
     this.pace.rests();
     this.fitPixels();
     this.frames.invalidate();
+  }
+
+  /** All of what is shown, drawn at once: to be read before the page goes on. */
+  snapshot(): HTMLCanvasElement {
+    const wasMoving = this.isMoving;
+    this.isMoving = false;
+    this.fitPixels();
+    this.draw(0);
+    this.isMoving = wasMoving;
+    return this.canvas;
   }
 
   private fitPixels(): void {

@@ -2,6 +2,7 @@
 import { readGlb, type Surface } from "../api/glb";
 import { ApiError } from "../api/ask";
 import { getSurfaces } from "../api/maps";
+import type { MapState } from "../api/types";
 
 const mostAtOnce = 150;
 /** A server that has no room for so much is asked for less, and later. */
@@ -25,14 +26,17 @@ export class SurfaceLoader {
     private readonly onFailed: (error: unknown) => void,
   ) {}
 
-  private map = "";
+  private map: MapState = { name: "", at: null };
+  private fetching: readonly string[] = [];
 
-  /** Forgets what was wanted of another map. */
-  start(map: string): void {
+  /** Of that state from here on. What was wanted before and has not come. */
+  start(map: MapState): ReadonlySet<string> {
+    const missing = new Set([...this.wanted, ...(this.running ? this.fetching : [])]);
     this.stop();
     this.atOnce = mostAtOnce;
     this.map = map;
     this.last_ms = -Infinity;
+    return missing;
   }
 
   stop(): void {
@@ -48,7 +52,8 @@ export class SurfaceLoader {
   }
 
   /** What was asked for before, and is on its way; the rest waits for it. False: it did not come. */
-  async takeFirst(file: Promise<ArrayBuffer>): Promise<boolean> {
+  async takeFirst(file: Promise<ArrayBuffer>, ids: readonly string[]): Promise<boolean> {
+    this.fetching = ids;
     const abort = (this.running = new AbortController());
     ++this.numRequests;
     try {
@@ -68,6 +73,11 @@ export class SurfaceLoader {
   want(ids: Iterable<string>): void {
     for (const id of ids) this.wanted.add(id);
     this.schedule();
+  }
+
+  /** It was removed: what waits is not asked for. */
+  forget(id: string): void {
+    this.wanted.delete(id);
   }
 
   private schedule(): void {
@@ -93,6 +103,7 @@ export class SurfaceLoader {
   private async fetchNext(): Promise<void> {
     const ids = [...this.wanted].slice(0, this.atOnce);
     for (const id of ids) this.wanted.delete(id);
+    this.fetching = ids;
     const abort = (this.running = new AbortController());
     this.last_ms = performance.now();
     ++this.numRequests;

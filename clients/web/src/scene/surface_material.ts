@@ -3,15 +3,19 @@ import { FrontSide, ShaderMaterial, Vector3 } from "three";
 
 /** The same light for all, in the map frame: mostly from above, a little from one side. Shared by reference. */
 export const light = { ground: { value: new Vector3(0.006, 0.007, 0.009) } };
+/** What is beyond, in the map frame, is not drawn. Shared by reference. */
+export const clipping = { min: { value: new Vector3(-1e9, -1e9, -1e9) }, max: { value: new Vector3(1e9, 1e9, 1e9) } };
 
 const vertex = /* glsl */ `
   attribute vec3 color;
   uniform vec3 flatColor;
   uniform float flatShare;
   varying vec3 vColor;
+  varying vec3 vAt;
   void main() {
     vec3 n = normalize(mat3(modelMatrix) * normal);
-    vec3 toCamera = normalize(cameraPosition - (modelMatrix * vec4(position, 1.0)).xyz);
+    vAt = (modelMatrix * vec4(position, 1.0)).xyz;
+    vec3 toCamera = normalize(cameraPosition - vAt);
     float sky = 0.5 + 0.5 * n.z;
     float key = max(dot(n, normalize(vec3(0.35, -0.5, 0.79))), 0.0);
     float facing = abs(dot(n, toCamera));
@@ -25,8 +29,12 @@ const vertex = /* glsl */ `
 const fragment = /* glsl */ `
   uniform float ghost;
   uniform vec3 ground;
+  uniform vec3 clipMin;
+  uniform vec3 clipMax;
   varying vec3 vColor;
+  varying vec3 vAt;
   void main() {
+    if (any(lessThan(vAt, clipMin)) || any(greaterThan(vAt, clipMax))) discard;
     float grey = dot(vColor, vec3(0.2126, 0.7152, 0.0722));
     vec3 shown = mix(vColor, mix(vec3(grey), ground, 0.86), ghost);
     gl_FragColor = vec4(shown, 1.0);
@@ -40,6 +48,8 @@ export function newSurfaceMaterial(): ShaderMaterial {
       flatShare: { value: 0 },
       ghost: { value: 0 },
       ground: light.ground,
+      clipMin: clipping.min,
+      clipMax: clipping.max,
     },
     vertexShader: vertex,
     fragmentShader: fragment,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What this page has edited and may undo: the server's log is the history, these are places in it.
+import type { LoggedEdit } from "../api/types";
 import type { ViewStore } from "./view";
 
 /** An edit of this page: what was undone before cannot be done again. */
@@ -33,7 +34,28 @@ export function forgetMap(store: ViewStore): void {
   store.set("pending", null);
   store.set("probe", null);
   store.set("draft", null);
+  store.set("ray", null);
+  store.set("near", null);
+  store.set("regions", []);
+  store.set("regionDraft", null);
   store.set("pathAnswer", null);
+}
+
+/** How much of the log is held. */
+export const mostLogged = 100;
+
+/** The log after its newest edits, which come first; null: edits between them and what is held are missing. */
+export function withNewest(held: readonly LoggedEdit[], newest: readonly LoggedEdit[]): readonly LoggedEdit[] | null {
+  const oldest = newest.at(-1);
+  if (!oldest) return held.length === 0 ? held : null;
+  if (!held.some(({ revision }) => revision >= oldest.revision)) return null;
+  const undone = new Map<string, boolean>();
+  for (const edit of [...newest].reverse())
+    for (const target of edit.targets) undone.set(target, edit.what === "undo");
+  const older = held
+    .filter(({ revision }) => revision < oldest.revision)
+    .map((edit) => ({ ...edit, isUndone: undone.get(edit.name) ?? edit.isUndone }));
+  return [...newest, ...older].slice(0, mostLogged);
 }
 
 const mostNamed = 3;

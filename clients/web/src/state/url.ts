@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A view as a link: what somebody sees is what the one sees to whom the link is sent.
+import { readBox, writeBox } from "./boxes";
 import { readPath, writePath } from "./path_text";
 import { robotLimits } from "./robot";
 import { colourModes, type CameraView, type ColourMode, type ViewState } from "./view";
 
 export type Linked = Pick<
   ViewState,
+  | "at"
   | "selected"
   | "query"
   | "hiddenClasses"
@@ -15,6 +17,8 @@ export type Linked = Pick<
   | "showsBoxes"
   | "theme"
   | "slice_m"
+  | "measured_m"
+  | "clip"
   | "path"
   | "camera"
 > & { readonly mapId: string };
@@ -38,21 +42,34 @@ function heightOf(text: string | null): number | null {
   return text && Number.isFinite(height) ? height : null;
 }
 
+function revisionOf(text: string | null): number | null {
+  const revision = Number(text ?? "");
+  return text && Number.isSafeInteger(revision) && revision > 0 ? revision : null;
+}
+
 const usualRobot = { radius_m: 0.2, height_m: 0.6 };
 
-/** Nothing of it where it is nonsense. */
+/** None where it is nonsense. */
+function placesOf(text: string | null): ViewState["path"]["points_m"] {
+  try {
+    return readPath(text ?? "");
+  } catch {
+    return []; // as if it were not there
+  }
+}
+
+function endsOf(text: string | null): ViewState["measured_m"] {
+  const ends = placesOf(text);
+  return ends.length === 2 ? ends : [];
+}
+
+
 function pathOf(link: URLSearchParams): ViewState["path"] {
   const [radius, height] = (link.get("robot") ?? "").split(",").map(Number);
   const within = (value: number | undefined, [least, most]: readonly [number, number], usual: number) =>
     value !== undefined && value >= least && value <= most ? value : usual;
-  let points_m: ViewState["path"]["points_m"] = [];
-  try {
-    points_m = readPath(link.get("path") ?? "");
-  } catch {
-    // as if it were not there
-  }
   return {
-    points_m,
+    points_m: placesOf(link.get("path")),
     radius_m: within(radius, robotLimits.radius_m, usualRobot.radius_m),
     height_m: within(height, robotLimits.height_m, usualRobot.height_m),
     seenAlone: link.get("seen") === "1",
@@ -66,6 +83,7 @@ const listOf = (text: string): ReadonlySet<string> => new Set(text.split(",").fi
 export function writeLink(view: Linked): string {
   const link = new URLSearchParams();
   if (view.mapId) link.set("map", view.mapId);
+  if (view.at !== null) link.set("at", String(view.at));
   if (view.selected !== null) link.set("object", view.selected);
   if (view.query) link.set("find", view.query);
   if (listText(view.hiddenClasses) !== "ceiling") link.set("hide", listText(view.hiddenClasses));
@@ -75,6 +93,8 @@ export function writeLink(view: Linked): string {
   if (view.showsBoxes) link.set("boxes", "1");
   if (view.theme !== "system") link.set("theme", view.theme);
   if (view.slice_m !== null) link.set("slice", short(view.slice_m));
+  if (view.measured_m.length === 2) link.set("measure", writePath(view.measured_m, ";"));
+  if (view.clip) link.set("clip", writeBox(view.clip));
   if (view.path.points_m.length > 0) {
     link.set("path", writePath(view.path.points_m, ";"));
     link.set("robot", [view.path.radius_m, view.path.height_m].map(short).join(","));
@@ -91,6 +111,7 @@ export function readLink(hash: string): Linked {
   const theme = link.get("theme");
   return {
     mapId: link.get("map") ?? "",
+    at: revisionOf(link.get("at")),
     selected: link.get("object"),
     query: link.get("find") ?? "",
     hiddenClasses: listOf(link.get("hide") ?? "ceiling"),
@@ -100,6 +121,8 @@ export function readLink(hash: string): Linked {
     showsBoxes: link.get("boxes") === "1",
     theme: theme === "dark" || theme === "light" ? theme : "system",
     slice_m: heightOf(link.get("slice")),
+    measured_m: endsOf(link.get("measure")),
+    clip: readBox(link.get("clip")),
     path: pathOf(link),
     camera: cameraOf(link.get("view")),
   };

@@ -1,6 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All that the viewer knows and shows, in one store.
-import type { Cut, LoggedEdit, MapInfo, MapObject, PathAnswer, Pose, Robot, SurfacePoint, Vector3 } from "../api/types";
+import type {
+  AxisBox,
+  Cut,
+  IgnoredRegion,
+  KeptRevision,
+  LoggedEdit,
+  MapInfo,
+  MapObject,
+  MapState,
+  NearObject,
+  PathAnswer,
+  Pose,
+  RayAnswer,
+  Robot,
+  SurfacePoint,
+  Vector3,
+} from "../api/types";
 import { Store } from "./store";
 
 export const colourModes = ["sensor", "class", "object", "confidence", "last seen", "presence"] as const;
@@ -18,6 +34,22 @@ export interface Toast {
   readonly tone: "plain" | "problem" | "collision";
   readonly undoRevision?: number;
 }
+
+/** A ray that was asked for. */
+export interface CastRay {
+  readonly origin_m: Vector3;
+  readonly direction: Vector3;
+  readonly answer: RayAnswer | null;
+}
+
+/** A place where mapping shall take nothing any more, before it is said so. */
+export interface RegionDraft {
+  readonly name: string;
+  readonly box: AxisBox;
+  readonly clears: boolean;
+}
+
+export type Tool = "select" | "probe" | "path" | "ray" | "measure" | "region";
 
 export interface Probe {
   readonly point_m: Vector3;
@@ -55,10 +87,21 @@ export interface ViewState {
   phase: Phase;
   maps: readonly MapInfo[];
   map: MapInfo | null;
+  /** Of what is shown. */
   revision: number;
+  /** The past revision that is shown; null: the map as it is, and becomes. */
+  at: number | null;
+  /** The map as it is, while the past is shown, and its revision. */
+  present: ReadonlyMap<string, MapObject>;
+  newest: number;
+  /** What can be shown, the newest first. */
+  kept: readonly KeptRevision[];
+  showsTime: boolean;
   link: "live" | "lost" | "off";
   objects: ReadonlyMap<string, MapObject>;
   selected: string | null;
+  /** Where an object was clicked, to be selected. */
+  clicked: { readonly id: string; readonly point_m: Vector3 } | null;
   hovered: string | null;
   query: string;
   hiddenClasses: ReadonlySet<string>;
@@ -77,10 +120,21 @@ export interface ViewState {
   redoable: readonly number[];
   history: readonly LoggedEdit[];
   toast: Toast | null;
-  tool: "select" | "probe" | "path";
+  tool: Tool;
   /** At the height of the eyes, rather than round the map. */
   walks: boolean;
   probe: Probe | null;
+  ray: CastRay | null;
+  /** Whether it is wanted to be known what is near the selection, of which class ("": any thing), and what is. */
+  asksNear: boolean;
+  nearClass: string;
+  near: { readonly id: string; readonly className: string; readonly objects: readonly NearObject[] } | null;
+  /** None, one, or both ends of what is measured. */
+  measured_m: readonly Vector3[];
+  /** All beyond it is left away; null: nothing is. */
+  clip: AxisBox | null;
+  regions: readonly IgnoredRegion[];
+  regionDraft: RegionDraft | null;
   /** Height of the floor plan that is shown, in the map frame. */
   slice_m: number | null;
   path: RobotPath;
@@ -93,15 +147,27 @@ export interface ViewState {
 
 export type ViewStore = Store<ViewState>;
 
+/** Whom what is asked is asked of. */
+export function shownState(store: ViewStore): MapState | null {
+  const map = store.get("map");
+  return map && { name: map.name, at: store.get("at") };
+}
+
 export const newViewStore = (): ViewStore =>
   new Store<ViewState>({
     phase: { is: "connecting" },
     maps: [],
     map: null,
     revision: 0,
+    at: null,
+    present: new Map(),
+    newest: 0,
+    kept: [],
+    showsTime: false,
     link: "off",
     objects: new Map(),
     selected: null,
+    clicked: null,
     hovered: null,
     query: "",
     hiddenClasses: new Set(["ceiling"]),
@@ -121,6 +187,14 @@ export const newViewStore = (): ViewStore =>
     tool: "select",
     walks: false,
     probe: null,
+    ray: null,
+    asksNear: false,
+    nearClass: "",
+    near: null,
+    measured_m: [],
+    clip: null,
+    regions: [],
+    regionDraft: null,
     slice_m: null,
     path: { points_m: [], radius_m: 0.2, height_m: 0.6, seenAlone: false },
     pathAnswer: null,

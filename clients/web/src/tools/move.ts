@@ -33,7 +33,7 @@ export class MoveTool {
     private readonly edits: Edits,
     private readonly touch: TouchCheck,
   ) {
-    store.follow(["selected", "objects", "pending", "tool", "draft"], () => this.placeRing());
+    store.follow(["selected", "objects", "pending", "tool", "draft", "at"], () => this.placeRing());
   }
 
   get isBusy(): boolean {
@@ -42,7 +42,8 @@ export class MoveTool {
 
   private get object(): MapObject | null {
     const object = this.store.get("objects").get(this.store.get("selected") ?? "");
-    const isFree = this.store.get("tool") === "select" && this.store.get("draft") === null;
+    const isNow = this.store.get("at") === null;
+    const isFree = isNow && this.store.get("tool") === "select" && this.store.get("draft") === null;
     return object?.kind === "thing" && isFree ? object : null;
   }
 

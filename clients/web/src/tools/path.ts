@@ -6,7 +6,7 @@ import { PathShape } from "../scene/path_shape";
 import type { Hit, Renderer } from "../scene/renderer";
 import { mostWaypoints } from "../state/path_text";
 import { columnOf } from "../state/robot";
-import type { ViewStore } from "../state/view";
+import { shownState, type ViewStore } from "../state/view";
 
 const pause_ms = 300;
 /** What is clicked higher than that is no floor: the robot stays at the height that it has. */
@@ -26,7 +26,7 @@ export class PathTool {
   }
 
   /** The next waypoint; `hit`: what is under the cursor, null: nothing, and `floor` is where its ray meets z = 0. */
-  add(hit: Hit | null, floor: Vector3 | null): void {
+  click(hit: Hit | null, floor: Vector3 | null): void {
     const at = hit?.point ?? floor;
     const path = this.store.get("path");
     if (!at || path.points_m.length >= mostWaypoints) return;
@@ -42,7 +42,7 @@ export class PathTool {
 
   /** One request at a time; the last path wins. */
   private async ask(): Promise<void> {
-    const map = this.store.get("map");
+    const map = shownState(this.store);
     const path = this.store.get("path");
     if (!map) return;
     this.isAsking = true;
@@ -51,7 +51,7 @@ export class PathTool {
       const robot = columnOf(path.radius_m, path.height_m);
       // A robot that stays where it is, is checked there.
       const points = path.points_m.length === 1 ? [...path.points_m, ...path.points_m] : path.points_m;
-      const answer = await checkPath(map.name, robot, points, path.seenAlone);
+      const answer = await checkPath(map, robot, points, path.seenAlone);
       if (this.store.get("path") === path && this.store.get("map")?.name === map.name)
         this.store.set("pathAnswer", answer);
     } catch (error) {

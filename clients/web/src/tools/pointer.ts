@@ -5,8 +5,7 @@ import type { Hit, Renderer } from "../scene/renderer";
 import type { ViewStore } from "../state/view";
 import type { DraftTool } from "./draft";
 import type { MoveTool } from "./move";
-import type { PathTool } from "./path";
-import type { ProbeTool } from "./probe";
+import type { PlaceTools } from "./place_tool";
 
 const click_px = 4;
 /** Wheels send many events for one turn of the hand: they share what is under the cursor. */
@@ -30,8 +29,7 @@ export class Pointer {
     private readonly store: ViewStore,
     private readonly renderer: Renderer,
     private readonly moveTool: MoveTool,
-    private readonly probeTool: ProbeTool,
-    private readonly pathTool: PathTool,
+    private readonly placeTools: PlaceTools,
     private readonly draftTool: DraftTool,
     private readonly label: HTMLElement,
     private readonly focusOn: (id: string) => void,
@@ -141,12 +139,11 @@ export class Pointer {
   }
 
   private click(): void {
-    if (this.store.get("tool") === "probe") {
-      if (this.hit) void this.probeTool.ask(this.hit.point, this.hit.id);
-      return;
-    }
-    if (this.store.get("tool") === "path") return this.pathTool.add(this.hit, this.floorAt(this.placeAt(this.start)));
+    const tool = this.store.get("tool");
+    if (tool !== "select") return this.placeTools[tool].click(this.hit, this.floorAt(this.placeAt(this.start)));
     if (this.store.get("draft")?.is === "merge" && this.hit) return this.draftTool.choose(this.hit.id);
+    const at = this.hit?.point;
+    this.store.set("clicked", at && this.hit ? { id: this.hit.id, point_m: { x: at.x, y: at.y, z: at.z } } : null);
     this.store.set("selected", this.hit?.id ?? null);
   }
 
@@ -176,9 +173,11 @@ export class Pointer {
       const place = this.placeAt(this.hoverAt);
       const hit = this.renderer.pick(place);
       this.store.set("hovered", hit?.id ?? null);
+      const tool = this.store.get("tool");
+      if (tool !== "select") this.placeTools[tool].hover?.(hit, this.floorAt(place));
       const grip = this.moveTool.gripAt(this.renderer.camera.rayAt(place), hit);
       this.renderer.canvas.dataset["over"] =
-        this.store.get("tool") !== "select" ? "probe" : (grip ?? (hit ? "object" : ""));
+        tool !== "select" ? "probe" : (grip ?? (hit ? "object" : ""));
       this.label.style.transform = `translate(${this.hoverAt.x + 14}px, ${this.hoverAt.y + 16}px)`;
     });
   }

@@ -19,8 +19,9 @@ export class RobotFollower {
     renderer.addToScene(this.marks.group);
     store.follow(["map"], () => store.set("robots", []));
     store.follow(["map", "revision"], () => this.update());
-    store.follow(["robots"], () => {
-      this.marks.show(store.get("robots"));
+    // Where they are now says nothing of the past.
+    store.follow(["robots", "at"], () => {
+      this.marks.show(store.get("at") === null ? store.get("robots") : []);
       renderer.frames.invalidate();
     });
   }

@@ -3,7 +3,7 @@
 import { getSlice } from "../api/queries";
 import type { Renderer } from "../scene/renderer";
 import { SlicePlane } from "../scene/slice_plane";
-import type { ViewStore } from "../state/view";
+import { shownState, type ViewStore } from "../state/view";
 
 export const band_m = 0.1;
 const pause_ms = 300;
@@ -33,13 +33,13 @@ export class SliceTool {
 
   /** One request at a time; the last height wins. */
   private async ask(): Promise<void> {
-    const map = this.store.get("map");
+    const map = shownState(this.store);
     const z_m = this.store.get("slice_m");
     if (!map || z_m === null) return;
     this.isAsking = true;
     this.isStale = false;
     try {
-      const slice = await getSlice(map.name, z_m - band_m / 2, z_m + band_m / 2);
+      const slice = await getSlice(map, z_m - band_m / 2, z_m + band_m / 2);
       if (this.store.get("slice_m") !== null && slice.width > 0) {
         this.plane.show(slice, z_m);
         this.renderer.addToScene(this.plane.mesh);

@@ -77,6 +77,16 @@ class KeptGlb : public ::testing::Test {
     return file->etag();
   }
 
+  /// Object 1, asked for by who has files of these etags, of a server that has just started.
+  Result<MeshFile> ExportWith(const std::shared_ptr<const MapSnapshot>& map, std::string held_etags) {
+    GlbCache none(0);
+    const MeshRequest request{.submap = SubmapId(1), .format = MeshFormat::kGlb, .held_etags = std::move(held_etags)};
+    return ExportGlb(map, request, none, [this](std::size_t) {
+      ++num_made_;
+      return Status::Ok();
+    });
+  }
+
   GlbCache cache_{1u << 20};
   int num_made_ = 0;
   std::string bytes_;  // of the file that came last
@@ -125,6 +135,41 @@ TEST_F(KeptGlb, SaysOfAnObjectWhatItIsAndIsAnotherFileOnceThatChanges) {
   nobody[0].mutable_info().panoptic = Panoptic::kUnknown;
   EXPECT_NE(EtagOfOne(MapOf(std::move(nobody)), 1), sofa);
   EXPECT_EQ(ExtrasIn(bytes_), R"({"instance_id":1})") << "unknown";
+}
+
+TEST_F(KeptGlb, OfAnUnchangedStateTheClientIsToldThatItHasItBeforeItIsMade) {
+  const std::string etag = EtagOfOne(MapOf({Ball(1, 0), Ball(2, 3)}), 1);
+  const auto held = ExportWith(MapOf({Ball(1, 0), Ball(2, 3)}), "gaaaabbbb," + etag);
+  ASSERT_TRUE(held.ok());
+  EXPECT_TRUE(held->is_held());
+  EXPECT_EQ(held->etag(), etag);
+  EXPECT_EQ(num_made_, 1);
+}
+
+TEST_F(KeptGlb, OfAStateThatMayBeAnotherTheFileIsMadeAndComparedByItsBytes) {
+  const std::string etag = EtagOfOne(MapOf({Ball(1, 0)}), 1);
+  Submap renamed = Ball(1, 0);
+  ++renamed.mutable_info().revision;
+  const auto same = ExportWith(MapOf({std::move(renamed)}), etag);
+  ASSERT_TRUE(same.ok());
+  EXPECT_TRUE(same->is_held());
+  EXPECT_EQ(same->etag(), etag);
+  EXPECT_EQ(num_made_, 2);
+  Submap grown = Ball(1, 0.15);
+  ++grown.mutable_info().revision;
+  const auto other = ExportWith(MapOf({std::move(grown)}), etag);
+  ASSERT_TRUE(other.ok());
+  EXPECT_FALSE(other->is_held());
+  EXPECT_GT(other->num_bytes(), 0u);
+  EXPECT_NE(other->etag(), etag);
+}
+
+TEST_F(KeptGlb, OfAnotherStateOfWhatIsNearItIsMade) {
+  const std::string etag = EtagOfOne(MapOf({Ball(1, 0), Ball(2, 0.9)}), 1);
+  Submap near = Ball(2, 0.9);
+  ++near.mutable_info().revision;
+  (void)ExportWith(MapOf({Ball(1, 0), std::move(near)}), etag);
+  EXPECT_EQ(num_made_, 2);
 }
 
 TEST_F(KeptGlb, OfNoSuchSubmapOrWithoutRoomIsAnErrorThatKeepsNothing) {

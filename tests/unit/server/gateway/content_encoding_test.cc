@@ -88,5 +88,18 @@ TEST_F(MeshOverHttp, ThatEndsEarlyIsCutOffVisiblyThoughCompressed) {
   EXPECT_FALSE(client->Ask("GET", "/v1/maps/home/mesh", "", {{"Accept-Encoding", "gzip"}}).is_complete);
 }
 
+TEST(ContentEncoding, NamesTheEtagsOfAVariantWithoutIt) {
+  EXPECT_EQ(EtagsNamed(R"("a1", W/"b2-gzip", "c3")", false), "a1,c3");
+  EXPECT_EQ(EtagsNamed(R"("a1", W/"b2-gzip", "c3")", true), "b2");
+  EXPECT_EQ(EtagsNamed(R"(*, "", "-gzip", "x y", a1, "d4)", false), "");
+  EXPECT_EQ(EtagsNamed(R"("", "-gzip", "a,b")", true), "");
+  EXPECT_EQ(EtagsNamed("", true), "");
+  std::string many = "\"first\"";
+  for (int i = 0; i < 5000; ++i) many += ", \"g" + std::to_string(i) + '"';
+  const std::string named = EtagsNamed(many, false);
+  EXPECT_LE(named.size(), 1024u);
+  EXPECT_TRUE(named.starts_with("first,g0,g1,"));
+}
+
 }  // namespace
 }  // namespace dhpmap::gateway
