@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what the build needs: Debian 12 packages, and the google/api protos, which Debian ships only inside a
 # Go -dev package (unpacked here without its dependencies). Asks nothing, skips what is there, safe to run again.
-#   deploy/setup.sh [--quiet] [--checks] [--browser]
+#   deploy/setup.sh [--quiet] [--checks] [--browser] [--packaging]
 # --checks adds what deploy/check.sh and the sanitizers need and a build does not: clang, its formatter and its tidy.
 # --browser adds what tests of the viewer need: Chromium, its driver, and Selenium.
+# --packaging adds what makes and tries Debian packages and images.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -16,10 +17,14 @@ packages=(
   libgtest-dev liboctomap-dev libompl-dev
   python3-grpcio python3-protobuf python3-numpy
   python3-pytest python3-hatchling python3-pip python3-venv mypy
+  python3-seccomp  # for tests under the unit's filter
   python3-lz4 python3-zstandard python3-pil  # for packed recordings (dhpmap.mcap)
 )
 check_packages=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev lld-14)
 browser_packages=(chromium chromium-driver python3-selenium)
+packaging_packages=(
+  debhelper dh-python pybuild-plugin-pyproject python3-all help2man po-debconf lintian mmdebstrap iproute2 systemd prometheus
+)
 googleapis_package=golang-github-gogo-googleapis-dev  # the grpc-gateway one is older and has no google.rpc.ErrorInfo
 googleapis_dir=build/googleapis
 
@@ -29,8 +34,9 @@ for argument in "$@"; do
     --quiet) quiet=1 ;;
     --checks) packages+=("${check_packages[@]}") ;;
     --browser) packages+=("${browser_packages[@]}") ;;
+    --packaging) packages+=("${packaging_packages[@]}") ;;
     *)
-      echo "usage: deploy/setup.sh [--quiet] [--checks] [--browser]" >&2
+      echo "usage: deploy/setup.sh [--quiet] [--checks] [--browser] [--packaging]" >&2
       exit 2
       ;;
   esac

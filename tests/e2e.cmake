@@ -8,6 +8,15 @@ dhpmap_library(NAME dhpmap_e2e SOURCES e2e/rendered_dataset.cc e2e/same_maps.cc
 dhpmap_tests(ROOM e2e STUBS LIBS dhpmap_e2e dhpmap_http_client dhpmap_tls_client dhpmap_rig_kills dhpmap_test_server)
 add_dependencies(e2e_test dhpmap-server dhpmap dhpmap-simulate dhpmap-evaluate)
 
+# What operators read and load, against real programs: docs/operate.md, deploy/monitoring.
+if(NOT DHPMAP_SANITIZE)
+  add_custom_target(e2e_operate_test DEPENDS dhpmap-server dhpmap dhpmap-simulate)
+  foreach(name operate_page monitoring)
+    dhpmap_room_of_tests(ROOM e2e_${name} TARGET e2e_operate_test COST 5
+      COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/e2e/${name}_test.py ${CMAKE_BINARY_DIR}/bin)
+  endforeach()
+endif()
+
 # The viewer in a real browser, where Debian's Chromium is.
 find_program(DHPMAP_CHROMEDRIVER chromedriver PATHS /usr/bin NO_DEFAULT_PATH)
 execute_process(COMMAND /usr/bin/python3 -c "import selenium" RESULT_VARIABLE has_no_selenium OUTPUT_QUIET ERROR_QUIET)
