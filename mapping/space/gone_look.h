@@ -13,7 +13,9 @@
 #include "mapping/base/index_map.h"
 #include "mapping/space/cell.h"
 #include "mapping/space/grid_origin.h"
+#include "mapping/space/surface_claims.h"
 #include "mapping/voxels/block_table.h"
+#include "mapping/voxels/voxel_mask.h"
 
 namespace dhpmap {
 
@@ -100,6 +102,7 @@ class GoneLook {
       CellSights sights;
       view_.Classify(Nearer(batch, farther_by_vox_), sights);
       for (std::size_t i = 0; i < count; ++i) {
+        if (i + 1 < count && sights[i + 1] != CellSight::kHidden) SurfaceClaims::Prefetch(*entries[i + 1]->tsdf);
         if (sights[i] != CellSight::kHidden) LookAtBlock(*entries[i], batch.x[i], batch.y[i], batch.z[i]);
       }
       count = 0;
@@ -127,11 +130,12 @@ class GoneLook {
   static constexpr int kLeastMuch = 8;
   static constexpr float kMuchShare = 0.3f;
 
-  /// How many voxels of the block say that there is a surface.
+  /// How many voxels of the block say that there is a surface, and are not contradicted.
   [[nodiscard]] float CountSaying(const BlockEntry& entry) const {
-    int count = 0;
-    for (int linear = 0; linear < kBlockVoxels; ++linear) {
-      count += entry.Shows(linear) && std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) < most_m_;
+    int count = claims_.Count();
+    if (entry.gone != nullptr) {
+      const VoxelMask before = entry.gone->Contradicted();
+      for (int linear = 0; linear < kBlockVoxels; ++linear) count -= IsIn(before, linear) && claims_.IsOne(linear);
     }
     return static_cast<float>(count);
   }
@@ -141,10 +145,12 @@ class GoneLook {
     const CellBatch octants = ChildrenOf(CellSize::kBlock, x, y, z);
     CellSights sights;
     view_.Classify(Nearer(octants, farther_by_vox_), sights);
+    const auto is_hidden = [](CellSight sight) { return sight == CellSight::kHidden; };
     contradicted_ = {.index = entry.index};
     const int num_before = entry.gone != nullptr ? NumIn(entry.gone->Contradicted()) : 0;
     is_open_ = num_before > 0;
     is_left_ = left_.CountIn(entry.index) >= kLeastLeft;
+    if (!std::all_of(sights.begin(), sights.end(), is_hidden)) claims_.Read(*entry.tsdf, most_m_);
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (sights[i] != CellSight::kHidden) LookAtOctant(entry, i, octants.x[i], octants.y[i], octants.z[i]);
     }
@@ -162,16 +168,8 @@ class GoneLook {
     const TsdfBlock& tsdf = *entry.tsdf;
     const int first = LinearIndex({(octant & 1) != 0 ? kOctantSide : 0, (octant & 2) != 0 ? kOctantSide : 0,
                                    (octant & 4) != 0 ? kOctantSide : 0});
-    // Without branches: of what a sensor looks through, hardly anything is at a surface.
     alignas(64) std::array<std::uint8_t, kOctantVoxels> is_near;
-    for (int row = 0; row < kOctantSide * kOctantSide; ++row) {
-      const auto at = static_cast<std::size_t>(first + kBlockSide * ((row & 3) + kBlockSide * (row >> 2)));
-      for (std::size_t dx = 0; dx < kOctantSide; ++dx) {
-        const bool says_so = tsdf.weight[at + dx] >= kMinObservedWeight && std::abs(tsdf.distance_m[at + dx]) < most_m_;
-        is_near[static_cast<std::size_t>(row) * kOctantSide + dx] = static_cast<std::uint8_t>(says_so);
-      }
-    }
-    if (!HasAnyOf(is_near)) return;
+    if (!claims_.Of(octant, is_near)) return;
     alignas(64) std::array<std::uint8_t, kOctantVoxels> is_before;
     const float scale = ScaleToNearer(x, y, z, farther_by_vox_);
     view_.Test(scale * x + kToFirst, scale * y + kToFirst, scale * z + kToFirst, is_before);
@@ -212,14 +210,6 @@ class GoneLook {
     return word != 0;
   }
 
-  static bool HasAnyOf(const std::array<std::uint8_t, kOctantVoxels>& all) {
-    std::array<std::uint64_t, kOctantVoxels / 8> words;
-    std::memcpy(words.data(), all.data(), sizeof(words));
-    std::uint64_t any = 0;
-    for (const std::uint64_t word : words) any |= word;
-    return any != 0;
-  }
-
   void Decide() {
     std::array<bool, kLanes> is_past;
     for (std::size_t i = 0; i < num_balls_; ++i) {  // with all of each: it covers the same pixels
@@ -241,6 +231,7 @@ class GoneLook {
   const float voxels_per_m_, most_m_, balls_farther_by_vox_, farther_by_vox_;
   std::vector<ContradictedBlock>& found_;
   ContradictedBlock contradicted_;
+  SurfaceClaims claims_;  ///< of the block, where it is not hidden
   BallBatch balls_;
   std::array<int, kLanes> linear_{};
   std::size_t num_balls_ = 0;

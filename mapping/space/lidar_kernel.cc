@@ -40,6 +40,32 @@ Direction DirectionOf(float x, float y, float z) {
 }
 
 DHPMAP_WIDE_VECTOR_CLONES
+void PlaceReturns(const float* __restrict points_m, std::size_t num, const ReturnRule& rule,
+                  const ReturnPlaces& places) {
+  constexpr double kLeastRange_m = 1e-3;  // nearer than any scanner measures
+  const double margin_m = rule.margin_m, max_range_m = rule.max_range_m, voxel_size_m = rule.voxel_size_m;
+  std::int32_t* __restrict columns = places.columns;
+  std::int32_t* __restrict rows = places.rows;
+  float* __restrict limits_vox = places.limits_vox;
+  DHPMAP_NOTHING_OVERLAPS
+  for (std::size_t i = 0; i < num; ++i) {
+    const double x = points_m[3 * i], y = points_m[3 * i + 1], z = points_m[3 * i + 2];
+    const double range = std::sqrt(x * x + (y * y + z * z));
+    const double divisor = range >= kLeastRange_m ? range : 1.0;
+    const auto rx = static_cast<float>(x / divisor), ry = static_cast<float>(y / divisor);
+    const auto rz = static_cast<float>(z / divisor);
+    const auto column = static_cast<std::int32_t>(AzimuthBin(Azimuth(ry, rx)));
+    const auto row = static_cast<std::int32_t>(ElevationBin(rz / (std::sqrt(rx * rx + ry * ry + rz * rz) + kTiny)));
+    const std::int32_t least_column = column > 0 ? column : 0, least_row = row > 0 ? row : 0;
+    columns[i] = least_column < kAzimuthBins ? least_column : kAzimuthBins - 1;
+    const std::int32_t most_row = least_row < kElevationBins ? least_row : kElevationBins - 1;
+    rows[i] = range >= kLeastRange_m ? most_row : -1;
+    const double before_m = range - margin_m, least_m = before_m > 0.0 ? before_m : 0.0;
+    limits_vox[i] = static_cast<float>((least_m < max_range_m ? least_m : max_range_m) / voxel_size_m);
+  }
+}
+
+DHPMAP_WIDE_VECTOR_CLONES
 void SpreadRow(const float* __restrict above, const float* __restrict row, const float* __restrict below, int width,
                float* __restrict least, float* __restrict limit) {
   for (int u = 0; u < width; ++u) {  // what is missing counts as 0
@@ -56,11 +82,15 @@ void SpreadRow(const float* __restrict above, const float* __restrict row, const
   }
 }
 
+// Of a cell's voxel centres, of which c is the middle one, any is c + d. In the frame of c's own azimuth (`across`,
+// `ahead`: both level) and of its ray (`up`: across it, in the vertical plane), |d| along an axis is at most
+// `half` times the sum of the axis' coordinates on the grid, as the cell is a box there. Seen from above the voxel lies
+// at most by across / (flat - ahead) beside c. In the vertical plane it is off the ray by up to `up`, and by what
+// its distance from the axis grows as it lies beside c, and is no nearer than the range less `along`.
 DHPMAP_WIDE_VECTOR_CLONES
 void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBounds& bounds) {
   const LidarGeometry& g = geometry;
   const float half = HalfSpanOf(cells.size);
-  const float radius = half * 1.7320509f;
   // What rounding and the approximations may shift a bin by.
   constexpr float kSlack_bins = 0.2f;
   const float* __restrict xs = cells.x.data();
@@ -81,11 +111,25 @@ void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBoun
     const float flat = std::sqrt(x * x + y * y), range = std::sqrt(x * x + y * y + z * z);
     azimuths[i] = AzimuthBin(Azimuth(y, x));
     elevations[i] = ElevationBin(z / (range + kTiny));
+    const float per_flat = 1.0f / (flat + kTiny), per_range = 1.0f / (range + kTiny);
+    const float cosine = flat * per_range, sine = z * per_range;
+    float across = 0, ahead = 0, up = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float beside = (g.R[1][axis] * x - g.R[0][axis] * y) * per_flat;
+      const float level = (g.R[0][axis] * x + g.R[1][axis] * y) * per_flat;
+      const float upwards = g.R[2][axis] * cosine - level * sine;
+      across += half * (beside < 0 ? -beside : beside);
+      ahead += half * (level < 0 ? -level : level);
+      up += half * (upwards < 0 ? -upwards : upwards);
+    }
+    const float along = half * (ax + ay + az) * per_range;
+    const float from_axis = flat - ahead, from_scanner = range - along;
     const float round = 2.0f * kAzimuthBins;  // all around, and so beyond both edges
-    const float wide = AngleOf(radius / (flat + kTiny)) * kBinsPerRadian + kSlack_bins;
-    const float high = AngleOf(radius / (range + kTiny)) * kBinsPerSine + kSlack_bins;
-    wides[i] = flat > radius ? wide : round;
-    highs[i] = range > radius ? high : round;
+    const float grown = 0.5f * across * across / from_axis;
+    const float wide = across / from_axis * kBinsPerRadian + kSlack_bins;
+    const float high = (up + grown) / from_scanner * kBinsPerSine + kSlack_bins;
+    wides[i] = from_axis > 0 ? wide : round;
+    highs[i] = ((from_axis > 0) & (from_scanner > 0)) ? high : round;
   }
   for (std::size_t i = 0; i < kLanes; ++i) {
     bounds.near[i] = near[i];
@@ -138,18 +182,21 @@ void TestOctant(float x, float y, float z, const LidarGeometry& geometry, const 
   const float* __restrict dx = g.voxels[0].data();
   const float* __restrict dy = g.voxels[1].data();
   const float* __restrict dz = g.voxels[2].data();
-  const float first_row = static_cast<float>(g.first_row), last_u = g.last_u, last_v = g.last_v;
+  const float first_row = static_cast<float>(g.first_row), last_v = g.last_v;
+  const float first_u = g.first_u, last_u = g.last_u;
+  const std::int32_t first_column = g.first_column, width = g.width;
   float ranges[kOctantVoxels], limits[kOctantVoxels];
   std::int32_t pixels[kOctantVoxels];
   for (int i = 0; i < kOctantVoxels; ++i) {
     const float vx = px + dx[i], vy = py + dy[i], vz = pz + dz[i];
     const float range = std::sqrt(vx * vx + vy * vy + vz * vz);
     const float u = AzimuthBin(Azimuth(vy, vx)), v = ElevationBin(vz / (range + kTiny)) - first_row;
-    // Out of view: some bin, and a range that is before no limit. Azimuths are never out of it but for rounding.
-    const float right = u > 0.0f ? u : 0.0f, down = v > 0.0f ? v : 0.0f;
+    // Out of view: some bin, and a range that is before no limit. Where azimuths are not all around, the outermost
+    // columns have no limit.
+    const float right = u > first_u ? u : first_u, down = v > 0.0f ? v : 0.0f;
     const float column = right < last_u ? right : last_u, row = down < last_v ? down : last_v;
     ranges[i] = row == v ? range : kMissing;
-    pixels[i] = static_cast<std::int32_t>(row) * kAzimuthBins + static_cast<std::int32_t>(column);
+    pixels[i] = static_cast<std::int32_t>(row) * width + (static_cast<std::int32_t>(column) - first_column);
   }
   for (int i = 0; i < kOctantVoxels; ++i) limits[i] = limit_vox[pixels[i]];
   for (std::size_t i = 0; i < kOctantVoxels; ++i) is_free[i] = ranges[i] < limits[i] ? 1 : 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "mapping/space/cell.h"
@@ -15,6 +16,18 @@ namespace dhpmap {
 inline constexpr int kAzimuthBins = 1800;
 inline constexpr int kElevationBins = 1146;
 
+/// How a return becomes a limit.
+struct ReturnRule {
+  double margin_m, max_range_m, voxel_size_m;
+};
+/// What is said of each point.
+struct ReturnPlaces {
+  std::int32_t *columns, *rows;  ///< bins; a row of -1: no return
+  float* limits_vox;             ///< how far it lets us see
+};
+/// Of `num` points, x, y and z of each in turn, in the scanner's frame.
+void PlaceReturns(const float* points_m, std::size_t num, const ReturnRule& rule, const ReturnPlaces& places);
+
 /// Each bin of a row takes the least of the nine around, or 0 where one of them is kNoLimit. The row goes around;
 /// `least` is scratch of `width` + 2.
 void SpreadRow(const float* above, const float* row, const float* below, int width, float* least, float* limit);
@@ -22,8 +35,8 @@ void SpreadRow(const float* above, const float* row, const float* below, int wid
 /// The scanner on the grid: p_sensor = R p_grid, in voxels.
 struct LidarGeometry {
   float R[3][3];
-  int first_row, height;                                   ///< bins of elevation that the image has
-  float last_u, last_v;                                    ///< the greatest coordinates within the image
+  int first_row, first_column, width;                      ///< of the image, in bins
+  float first_u, last_u, last_v;                           ///< azimuths of the image; the greatest row within it
   std::array<std::array<float, kOctantVoxels>, 3> voxels;  ///< of an octant, from its first
 };
 

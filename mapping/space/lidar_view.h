@@ -3,11 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "mapping/base/thread_pool.h"
 #include "mapping/sensor/frame.h"
 #include "mapping/space/cell.h"
+#include "mapping/space/lidar_bins.h"
 #include "mapping/space/lidar_kernel.h"
 #include "mapping/space/look_options.h"
 #include "mapping/space/sight_pyramid.h"
@@ -18,7 +18,7 @@ namespace dhpmap {
 /// which each has the least range of its points. Bins between two beams take the nearer one's, where the beams lie no
 /// farther apart than beams of this scan do. A voxel is free if its centre lies before that of its own and all eight
 /// bins around: all beams beside it go farther, and none of them is missing. Minus the truncation, and not beyond the
-/// range. Keeps its buffers from frame to frame. Thread-compatible.
+/// range. The image is as wide as the scan. Keeps its buffers from frame to frame. Thread-compatible.
 class LidarView {
  public:
   /// `R_sensor_grid`: from the axes of the map's grid to the scanner's.
@@ -37,17 +37,25 @@ class LidarView {
   }
 
   [[nodiscard]] const SightImage& image() const { return image_; }
-  [[nodiscard]] int first_row() const { return geometry_.first_row; }
+  /// The bins of the image.
+  [[nodiscard]] const LidarWindow& window() const { return bins_.window(); }
 
  private:
-  void BinPoints(const LidarData& data, const LookOptions& options);
   void BuildGeometry(const Eigen::Matrix3d& R_sensor_grid);
+  void SpreadBins(ThreadPool& pool);
+  /// Over columns of all around, which may go on beyond either edge, but less than once around; rows are those of the
+  /// image. What is beyond the image has no limit.
+  [[nodiscard]] SightPyramid::Span Over(int first_column, int last_column, int v0, int v1) const {
+    const int u0 = first_column - window().first_column, u1 = last_column - window().first_column;
+    if (u0 >= 0 && u1 < window().width) return pyramid_.Over(u0, v0, u1, v1);
+    return OverEdge(first_column, last_column, v0, v1);
+  }
+  [[nodiscard]] SightPyramid::Span OverEdge(int first_column, int last_column, int v0, int v1) const;
 
   LidarGeometry geometry_{};
-  SightImage image_;
+  LidarBins bins_;
+  SightImage image_;  ///< the bins, spread to those around
   SightPyramid pyramid_;
-  std::size_t first_column_ = 0, last_column_ = 0;  ///< of the bins that have points
-  std::vector<float> bins_;                         ///< limits before they are spread to the bins around
 };
 
 }  // namespace dhpmap

@@ -2,7 +2,6 @@
 #include "mapping/space/sight_pyramid.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "mapping/base/vector_clones.h"
 
@@ -26,14 +25,14 @@ void HalveRow(const float* __restrict least0, const float* __restrict least1, co
 /// The least and the greatest of each 2 x 2, of n + 1 values a row.
 DHPMAP_WIDE_VECTOR_CLONES
 void SlideRow(const float* __restrict least0, const float* __restrict least1, const float* __restrict most0,
-              const float* __restrict most1, int n, float* __restrict least, float* __restrict most) {
+              const float* __restrict most1, int n, SightPyramid::Span* __restrict slid) {
   for (int i = 0; i < n; ++i) {
     const float ab = least0[i] < least0[i + 1] ? least0[i] : least0[i + 1];
     const float cd = least1[i] < least1[i + 1] ? least1[i] : least1[i + 1];
-    least[i] = ab < cd ? ab : cd;
+    slid[i].least = ab < cd ? ab : cd;
     const float ef = most0[i] > most0[i + 1] ? most0[i] : most0[i + 1];
     const float gh = most1[i] > most1[i + 1] ? most1[i] : most1[i + 1];
-    most[i] = ef > gh ? ef : gh;
+    slid[i].most = ef > gh ? ef : gh;
   }
 }
 
@@ -61,7 +60,7 @@ void SightPyramid::Build(const SightImage& image) {
     level.width = (least.width + 1) / 2;
     level.height = (least.height + 1) / 2;
     const std::size_t size = static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
-    for (auto* plane : {&level.least, &level.most, &level.least_slid, &level.most_slid}) plane->resize(size);
+    level.least.resize(size), level.most.resize(size), level.slid.resize(size);
     const auto row = [&level](std::vector<float>& plane, int v) {
       return plane.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(level.width);
     };
@@ -77,33 +76,16 @@ void SightPyramid::Build(const SightImage& image) {
     least = {level.least.data(), level.width, level.height};
     most = {level.most.data(), level.width, level.height};
     for (int v = 0; v < level.height; ++v) {
-      SlideRow(least.Row(v), least.Row(v + 1), most.Row(v), most.Row(v + 1), level.width - 1, row(level.least_slid, v),
-               row(level.most_slid, v));
+      Span* slid = level.slid.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(level.width);
+      SlideRow(least.Row(v), least.Row(v + 1), most.Row(v), most.Row(v + 1), level.width - 1, slid);
       const auto last = static_cast<std::size_t>(level.width - 1);
-      row(level.least_slid, v)[last] = std::min(least.Row(v)[last], least.Row(v + 1)[last]);
-      row(level.most_slid, v)[last] = std::max(most.Row(v)[last], most.Row(v + 1)[last]);
+      slid[last] = {std::min(least.Row(v)[last], least.Row(v + 1)[last]),
+                    std::max(most.Row(v)[last], most.Row(v + 1)[last])};
     }
     if (level.width <= 4 && level.height <= 4) break;
   }
   const Level& top = levels_[num_levels_ - 1];
   most_ = *std::max_element(top.most.begin(), top.most.end());
-}
-
-SightPyramid::Span SightPyramid::Over(int u0, int v0, int u1, int v1) const {
-  const auto side = static_cast<unsigned>(std::max(u1 - u0, v1 - v0));
-  int shift = std::max(1, static_cast<int>(std::bit_width(side)) - 2);  // no less will do
-  while ((u1 >> shift) - (u0 >> shift) > 3 || (v1 >> shift) - (v0 >> shift) > 3) ++shift;
-  const Level& level = levels_[static_cast<std::size_t>(shift - 1)];
-  const auto width = static_cast<std::size_t>(level.width);
-  const auto left = static_cast<std::size_t>(u0 >> shift), upper = static_cast<std::size_t>(v0 >> shift) * width;
-  const auto right = static_cast<std::size_t>(std::max(u0 >> shift, (u1 >> shift) - 1));
-  const auto lower = static_cast<std::size_t>(std::max(v0 >> shift, (v1 >> shift) - 1)) * width;
-  const float* least = level.least_slid.data();
-  const float* most = level.most_slid.data();
-  return {
-      std::min(std::min(least[upper + left], least[upper + right]),
-               std::min(least[lower + left], least[lower + right])),
-      std::max(std::max(most[upper + left], most[upper + right]), std::max(most[lower + left], most[lower + right]))};
 }
 
 }  // namespace dhpmap

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <vector>
 
@@ -33,12 +35,27 @@ class SightPyramid {
  private:
   struct Level {
     int width = 0, height = 0;
-    std::vector<float> least, most;            ///< of a cell
-    std::vector<float> least_slid, most_slid;  ///< of a cell and its three neighbours
+    std::vector<float> least, most;  ///< of a cell
+    std::vector<Span> slid;          ///< of a cell and its three neighbours
   };
   std::vector<Level> levels_;  ///< the first has cells of 2 pixels; beyond num_levels_ they are kept for their memory
   std::size_t num_levels_ = 0;
   float most_ = 0;
 };
+
+inline SightPyramid::Span SightPyramid::Over(int u0, int v0, int u1, int v1) const {
+  const auto side = static_cast<unsigned>(std::max(u1 - u0, v1 - v0));
+  int shift = std::max(1, static_cast<int>(std::bit_width(side)) - 2);  // no less will do
+  while ((u1 >> shift) - (u0 >> shift) > 3 || (v1 >> shift) - (v0 >> shift) > 3) ++shift;
+  const Level& level = levels_[static_cast<std::size_t>(shift - 1)];
+  const auto width = static_cast<std::size_t>(level.width);
+  const auto left = static_cast<std::size_t>(u0 >> shift), upper = static_cast<std::size_t>(v0 >> shift) * width;
+  const auto right = static_cast<std::size_t>(std::max(u0 >> shift, (u1 >> shift) - 1));
+  const auto lower = static_cast<std::size_t>(std::max(v0 >> shift, (v1 >> shift) - 1)) * width;
+  const Span *above = level.slid.data() + upper, *below = level.slid.data() + lower;
+  const Span a = above[left], b = above[right], c = below[left], d = below[right];
+  return {std::min(std::min(a.least, b.least), std::min(c.least, d.least)),
+          std::max(std::max(a.most, b.most), std::max(c.most, d.most))};
+}
 
 }  // namespace dhpmap

@@ -134,6 +134,7 @@ struct QueryBenchOptions {
   std::size_t num_checked = 300;    ///< of these, compared with every triangle
   bool only_distances = false;
   bool only_edits = false;  ///< what they cost that change nothing near by
+  bool only_first = false;  ///< distances of a map that nobody has asked about
 };
 /// What one core answers a second on the data set's map, as it is and with a third of the things moved, the errors
 /// against brute force over all triangles, and how the time grows with the number of submaps.

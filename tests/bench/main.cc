@@ -137,6 +137,8 @@ int main(int argc, char** argv) {
   query_command->add_option("--check", query.num_checked, "Of these, compared with brute force")->capture_default_str();
   query_command->add_flag("--distances", query.only_distances, "Nothing but distances");
   query_command->add_flag("--edits", query.only_edits, "Nothing but the first distances after edits far away");
+  query_command->add_flag("--first", query.only_first,
+                          "Nothing but the first distances of a map that nobody has asked about");
 
   dhpmap::bench::ChangeBenchOptions change;
   CLI::App* change_command = app.add_subcommand("change", "What is gone and what was moved between two walks");

@@ -16,6 +16,7 @@
 #include "tests/bench/bench.h"
 #include "tests/bench/check_bench.h"
 #include "tests/bench/cpu_time.h"
+#include "tests/bench/first_distances.h"
 #include "tests/bench/frames.h"
 #include "tests/bench/quiet_edits.h"
 #include "tests/bench/recording.h"
@@ -456,6 +457,10 @@ Status RunQueryBench(const QueryBenchOptions& options) {
   SurfaceCache cache(std::size_t{4} << 30);
   if (options.only_edits) {
     MeasureQuietEdits(map.Publish(0), cache, random);
+    return Status::Ok();
+  }
+  if (options.only_first) {
+    MeasureFirstDistances(map.Publish(0), random);
     return Status::Ok();
   }
   std::printf("a cycle takes %.2f ns: on a core that others use, too, everything takes as much longer\nas mapped: ",

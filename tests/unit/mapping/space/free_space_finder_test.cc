@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <random>
@@ -88,20 +89,33 @@ TEST(FreeSpaceFinder, WholeCellsOfACameraAreToldAsTheirVoxelsWouldBe) {
   }
 }
 
+/// The points within an angle of a direction, which has azimuth `middle`.
+void KeepSector(double middle, double half_width, PanopticFrame& frame) {
+  std::erase_if(frame.lidar->points_m, [&](const Eigen::Vector3f& p) {
+    const double azimuth = std::atan2(double{p.y()}, double{p.x()});
+    return std::abs(std::remainder(azimuth - middle, 2 * M_PI)) > half_width;
+  });
+}
+
 TEST(FreeSpaceFinder, WholeCellsOfALidarAreToldAsTheirVoxelsWouldBe) {
   ThreadPool pool(1);
   Transform pose = Transform::Identity();
   pose.translate(Eigen::Vector3d(0.3, 0.1, 1.2)).rotate(Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, -1, 4).normalized()));
-  const PanopticFrame frame = Scan(FurnishedRoom(), pose, 32, -25, 20, 600);
+  const PanopticFrame all_around = Scan(FurnishedRoom(), pose, 32, -25, 20, 600);
   MapConfig config;
   config.voxel_size_m = 0.05;
   config.truncation_m = 0.15;
-  const Map map = MapOfLooks(config, {frame});
-  LidarView view;
-  view.Build(*frame.lidar, pose.linear().transpose(), {0.05, 0.15, 5.0}, pool);
-  std::int64_t num_free = 0;
-  EXPECT_LE(CountDifferences(view, frame, map, num_free), num_free / 10'000);
-  EXPECT_GT(num_free, 10'000);
+  // All around; ahead; across the seam; beside it.
+  for (const auto& [middle, half_width] : {std::pair{0.0, M_PI}, {0.0, 0.7}, {M_PI, 0.7}, {2.4, 0.7}}) {
+    PanopticFrame frame = all_around;
+    KeepSector(middle, half_width, frame);
+    const Map map = MapOfLooks(config, {frame});
+    LidarView view;
+    view.Build(*frame.lidar, pose.linear().transpose(), {0.05, 0.15, 5.0}, pool);
+    std::int64_t num_free = 0;
+    EXPECT_LE(CountDifferences(view, frame, map, num_free), num_free / 10'000);
+    EXPECT_GT(num_free, 10'000);
+  }
 }
 
 TEST(FreeSpaceFinder, AnyNumberOfThreadsAndAnyOrderOfFramesGivesTheSameVoxels) {

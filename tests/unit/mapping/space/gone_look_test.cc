@@ -135,10 +135,11 @@ TEST(GoneLook, ALidarSeesPastABallIfAllBinsThatItCoversGoFarther) {
   const auto limit_of = [&](const Eigen::Vector3f& p_grid) {
     const Eigen::Vector3f p = R.cast<float>() * p_grid;
     const Direction direction = DirectionOf(p.x(), p.y(), p.z());
-    const int u = std::clamp(static_cast<int>(direction.azimuth), 0, kAzimuthBins - 1);
-    const int v = static_cast<int>(direction.elevation) - view.first_row();
+    const int column = std::clamp(static_cast<int>(direction.azimuth), 0, kAzimuthBins - 1);
+    const int u = column - view.window().first_column;
+    const int v = static_cast<int>(direction.elevation) - view.window().first_row;
     const SightImage& image = view.image();
-    if (v < 0 || v >= image.height) return kNothing;
+    if (u < 0 || u >= image.width || v < 0 || v >= image.height) return kNothing;
     return image.limit_vox[static_cast<std::size_t>(v * image.width + u)];
   };
   const auto far_of = [](const Ball& ball) { return ball.center.norm() + ball.radius; };
