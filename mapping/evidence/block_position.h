@@ -13,16 +13,16 @@
 
 namespace dhpmap {
 
-/// One submap's block at a position whose voxels change hands.
+/// One submap's block at a position whose voxels are reassigned.
 struct Holder {
   SubmapId id;
   BlockEntry before;                ///< without geometry: the submap had no block here
-  std::shared_ptr<TsdfBlock> tsdf;  ///< what it has afterwards; null while nothing changed, and where nothing is left
+  std::shared_ptr<TsdfBlock> tsdf;  ///< afterwards; null if nothing has changed, or if no voxel is left
   std::shared_ptr<LabelBlock> labels;
   std::shared_ptr<GoneBlock> gone;  ///< null: as before
   bool is_emptied = false;
 
-  /// What is contradicted stays with its submap, and has no say.
+  /// Whether the submap shows the voxel. Contradicted voxels stay with their submap and do not count.
   [[nodiscard]] bool Holds(int linear) const { return before.tsdf != nullptr && before.Shows(linear); }
 };
 
@@ -32,24 +32,25 @@ struct alignas(kCacheLineBytes) Position {
   ScratchVector<Holder> holders;
   std::int64_t num_shared = 0, num_moved = 0;
 
-  /// That of a submap, which may have had no block here yet. Invalidates references to holders.
+  /// The holder of a submap; added if the submap had no block here. Invalidates references to holders.
   Holder& HolderOf(SubmapId id);
-  /// What `merged` says of a voxel becomes that of the winner, whatever it held there.
+  /// Replaces the winner's voxel by `merged`.
   void Give(int linear, const MergedVoxel& merged, SubmapId winner, bool is_concluded);
-  /// The holder has the voxel no longer.
+  /// Removes the voxel from the holder.
   void Take(int linear, Holder& holder);
-  /// Afterwards: most of those who lose a voxel have none left in the block.
+  /// Call at the end: most holders that lose a voxel have none left in the block.
   void DropEmptyBlocks();
 };
 
-/// Positions that are settled before they are put into the map: what is written is never all in memory twice.
+/// Number of positions that are computed before they are written to the map, so that not all written data are in memory
+/// twice.
 inline constexpr std::size_t kPositionsAtOnce = 512;
 
-/// Puts a position into the map, and lets go of what was there. Adds the submaps that it wrote to.
+/// Writes a position to the map and releases the earlier blocks. Adds the written submaps to `changed`.
 void PutPosition(Position& position, Map& map, std::vector<SubmapId>& changed);
 
-/// Spheres, classes and confidences of what changed, once all positions are in the map; removes submaps that are left
-/// empty and tells how many.
+/// Updates spheres, classes and confidences of the changed submaps, once all positions are written. Removes submaps
+/// that are empty, and returns their number.
 int TidySubmaps(std::vector<SubmapId> changed, Map& map);
 
 }  // namespace dhpmap

@@ -12,12 +12,12 @@
 
 namespace dhpmap {
 
-/// Moments that stay where they are while more are added. Keeps its memory.
+/// Moments at stable addresses while more are added. Reuses its memory.
 class StableMoments {
  public:
   [[nodiscard]] std::size_t size() const { return size_; }
   PlaneMoments& operator[](std::size_t i) { return (*chunks_[i / kChunk])[i % kChunk]; }
-  /// Sums of nothing.
+  /// Adds empty sums.
   PlaneMoments& Add();
   void Clear() { size_ = 0; }
   [[nodiscard]] std::size_t BufferBytes() const;
@@ -30,17 +30,17 @@ class StableMoments {
   std::size_t size_ = 0;
 };
 
-/// What planes are fitted to, for the bundles of a segment: moments of cubes of 2, 4 and 8 voxels a side (level 1 to 3)
-/// in each of its blocks. The coarser ones are summed when first asked for; the same sums
-/// whenever that is. Keeps its memory from segment to segment. Not thread-safe.
+/// Moments for fitting planes to the bundles of a segment: of cubes of 2, 4 and 8 voxels a side (levels 1 to 3) in each
+/// of its blocks. Coarser levels are summed at their first use, with the same result at any time. Reuses its memory
+/// between segments. Not thread-safe.
 class MomentPyramid {
  public:
   static constexpr int kNumLevels = 3;
 
-  /// From now on that of this segment.
+  /// Starts a new segment.
   void Build(const SegmentBundles& segment);
 
-  /// Cube of a cell's block, x fastest; null if nothing ends there. Stays where it is.
+  /// The cube `cube`, x fastest, of a cell's block; null if no bundle ends there. The address is stable.
   const PlaneMoments* Find(std::size_t cell, int level, std::size_t cube);
 
   [[nodiscard]] std::size_t BufferBytes() const;

@@ -13,7 +13,7 @@ enum class PointSpacing {
   kScan    ///< a LiDAR: on rings, apart by more the more the rays graze
 };
 
-/// Memory to fit planes in, kept from segment to segment. Not thread-safe.
+/// Scratch memory for fitting planes, reused between segments. Not thread-safe.
 struct TangentPlaneRoom {
   MomentPyramid pyramid;
   WidePlanes wide;

@@ -9,12 +9,12 @@
 
 namespace dhpmap {
 
-/// Planes through a scan's points where rings lie so far apart that a window of 16 voxels holds one of them: the points
-/// in windows of 32 voxels a side and, where these are in a line too, of 64. A window is that of all voxels in its
-/// inner half. Not thread-safe.
+/// Planes through a scan's points where rings lie so far apart that a window of 16 voxels contains only one. Uses
+/// windows of 32 voxels a side and, if their points are still on a line, of 64. All voxels in the inner half of a
+/// window share it. Not thread-safe.
 class WidePlanes {
  public:
-  /// Forgets the last segment. What planes of this one need is summed up when the first is asked for.
+  /// Starts a new segment. Its sums are computed at the first request for a plane.
   void Reset();
 
   /// The plane around a voxel of the segment, whose pyramid has been built.

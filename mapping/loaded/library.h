@@ -5,12 +5,12 @@
 
 namespace dhpmap {
 
-// PCL brings some 60 shared libraries along, needed or not; so it is linked by a library of ours, which is loaded when
-// it is first needed, and stays.
+// PCL depends on some 60 shared libraries. So it is linked into a separate library of ours, which is loaded at its
+// first use and stays loaded.
 
-/// What `symbol` of our library `file`, such as "libdhpmap_pcl.so", is. It is looked for beside the program and in
-/// the folders ../bin and ../lib/dhpmap from there. UNAVAILABLE if it cannot be loaded (it is not there, or no memory
-/// or file descriptors are left), INTERNAL if it lacks the symbol; the next call tries again. Thread-safe.
+/// The address of `symbol` in our library `file`, such as "libdhpmap_pcl.so". Searches the program's folder, and ../bin
+/// and ../lib/dhpmap relative to it. UNAVAILABLE if the library cannot be loaded (it does not exist, or no memory or
+/// file descriptors are left), INTERNAL if it lacks the symbol; the next call tries again. Thread-safe.
 Result<void*> LoadSymbol(const char* file, const char* symbol);
 
 }  // namespace dhpmap

@@ -10,25 +10,25 @@
 
 namespace dhpmap {
 
-/// A tile that has blocks of a surface.
+/// A tile with blocks that affect a surface.
 struct SourceTile {
   const Submap* submap = nullptr;
   const BlockTile* tile = nullptr;
-  std::size_t num_blocks = 0;  ///< that have to do with it; at least one
+  std::size_t num_blocks = 0;  ///< that affect it; at least one
 };
 
-/// What decides about the surfaces of some objects (ExtractObjectMeshes): nothing else of the map does. Refers to it.
+/// The parts of a map that determine the surfaces of some objects (ExtractObjectMeshes). Refers to the map.
 struct MeshSources {
-  std::vector<const Submap*> on_grid;  ///< of those wanted that are cut from the map's one surface
-  std::vector<const Submap*> around;   ///< themselves, and what shares their grid, is present and near; ascending
-  IndexMap<BlockIndex> blocks;         ///< those of on_grid, and one around them
-  std::vector<SourceTile> tiles;       ///< with some of these blocks, and all of what is wanted and not on the grid
+  std::vector<const Submap*> on_grid;  ///< the wanted submaps that are cut from the map's one surface
+  std::vector<const Submap*> around;   ///< these, and present submaps nearby that share their grid; ascending
+  IndexMap<BlockIndex> blocks;         ///< those of on_grid, and their neighbours
+  std::vector<SourceTile> tiles;       ///< tiles with these blocks, and all tiles of wanted submaps off the grid
 };
 
-/// `wanted` are of the map. Costs their blocks, and a look at the tiles of what is near; reads none of them.
+/// `wanted` are submaps of the map. Costs a look at their blocks and at the tiles of submaps nearby; reads no voxels.
 MeshSources MeshSourcesOf(const MapSnapshot& map, std::span<const Submap* const> wanted);
 
-/// How many of a tile's blocks are among `blocks`. Reads none.
+/// Number of a tile's blocks in `blocks`. Reads none.
 std::size_t NumBlocksIn(const TileEntry& tile, const IndexMap<BlockIndex>& blocks);
 
 /// Whether the submap's surface is cut from that of all that share the map's grid; else it is meshed by itself.

@@ -11,7 +11,7 @@
 
 namespace dhpmap {
 
-/// For what a mesh is made with: counted as MemoryKind::kMeshing.
+/// Scratch memory for meshing, counted as MemoryKind::kMeshing.
 template <typename T>
 using MeshingVector = CountedVector<T, MemoryKind::kMeshing>;
 
@@ -21,15 +21,15 @@ struct BlockHolder {
   const BlockEntry* block = nullptr;
 };
 
-/// Which part of the submaps' grid a field has, and in which frame its surface comes out.
+/// The part of the submaps' grid that a field covers, and the frame of its surface.
 struct FieldScope {
   const IndexMap<BlockIndex>* blocks = nullptr;  ///< these blocks alone; null: all
   bool is_in_own_frame = false;                  ///< T_map_field is the identity: coordinates of the submaps' frame
 };
 
-/// The voxels of submaps that share one grid (pose and voxel size), read as one: at each position the weighted average
-/// of what they hold, and the submap that answers for it (see SupportOfVoxel). What is contradicted is not there. Where
-/// one submap alone has a block, that is shared, not copied. Refers to the submaps. Immutable, thread-safe.
+/// The voxels of submaps that share one grid (pose and voxel size), merged into one field: at each position the
+/// weighted average of their voxels, and the owner (see SupportOfVoxel). Contradicted voxels are left out. A block that
+/// only one submap has is shared, not copied. Refers to the submaps. Immutable, thread-safe.
 class SurfaceField {
  public:
   /// At least one submap; by ascending id. The result does not depend on the number of threads.
@@ -53,7 +53,7 @@ class SurfaceField {
   [[nodiscard]] const Submap* SoleHolder(std::size_t block) const {
     return holders_[block].all.size() == 1 ? holders_[block].all[0].submap : nullptr;
   }
-  /// Who answers for an observed voxel of entry `block`.
+  /// The owner of an observed voxel of entry `block`.
   [[nodiscard]] const BlockHolder& HolderAt(std::size_t block, int linear) const {
     const Holders& holders = holders_[block];
     return holders.all[holders.of_voxel.empty() ? 0 : holders.of_voxel[static_cast<std::size_t>(linear)]];

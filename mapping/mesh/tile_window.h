@@ -11,8 +11,8 @@
 
 namespace dhpmap {
 
-/// Room for a tile and what is around it, which a thread keeps. Voxels along x are the bits of a word: all that
-/// marching cubes asks of many of them, it asks at once.
+/// Scratch memory for a tile and the voxels around it, reused by a thread. The voxels of a row along x are the bits of
+/// a word, so that marching cubes tests many voxels at once.
 struct TileRoom {
   static constexpr int kTileVoxels = kTileSide * kBlockSide;  ///< along an axis
   static constexpr int kMargin = 1;                           ///< cells begin one voxel before the tile, and end beyond
@@ -29,34 +29,34 @@ struct TileRoom {
 
   Rows own = Rows(kRows), shared = Rows(kRows), inside = Rows(kRows);
   Room<float> distance_m = Room<float>(kVoxels);
-  Room<std::uint16_t> sharer = Room<std::uint16_t>(kVoxels);  ///< of those shared, who shows them
+  Room<std::uint16_t> sharer = Room<std::uint16_t>(kVoxels);  ///< the sharer that shows a shared voxel
 };
 
-/// A tile with the voxels around it, as far as its submap shows them or others do that share the grid. Uses the room as
-/// long as it lives. Thread-compatible.
+/// A tile with the voxels around it that its submap, or other submaps on the grid, show. Uses `room` during its
+/// lifetime. Thread-compatible.
 class TileWindow {
  public:
   using Row = TileRoom::Row;
 
-  /// What several of `sharers` show is the first one's, what `own` shows its own.
+  /// A voxel that `own` shows is its own; else it belongs to the first of `sharers` that shows it.
   TileWindow(TileRoom& room, const TileBlocks& own, std::span<const TileOwner> sharers);
   TileWindow(const TileWindow&) = delete;
   TileWindow& operator=(const TileWindow&) = delete;
 
-  /// Of voxel (0, y, z) of the tile, from -kMargin to kTileVoxels + kMargin - 1 along each axis.
+  /// The row of voxel (0, y, z) of the tile, from -kMargin to kTileVoxels + kMargin - 1 along each axis.
   static constexpr std::size_t RowAt(int y, int z) {
     return static_cast<std::size_t>(TileRoom::kSide * (z + TileRoom::kMargin) + y + TileRoom::kMargin);
   }
   /// Whether there may be a surface at all.
   [[nodiscard]] bool has_both_sides() const { return has_both_sides_; }
   [[nodiscard]] Row Own(std::size_t row) const { return room_.own[row]; }
-  /// Somebody shows it.
+  /// The submap or a sharer shows the voxel.
   [[nodiscard]] Row Known(std::size_t row) const { return room_.own[row] | room_.shared[row]; }
   /// Known, with a distance below 0.
   [[nodiscard]] Row Inside(std::size_t row) const { return room_.inside[row]; }
-  /// Of one that is known. `x`: in the row.
+  /// The distance of a known voxel. `x`: position in the row.
   [[nodiscard]] float At(std::size_t row, int x) const { return room_.distance_m[PlaceOf(row, x)]; }
-  /// Of one that is known and not its own: position in the sharers.
+  /// For a known voxel that is not the submap's own: position in the sharers.
   [[nodiscard]] std::size_t SharerAt(std::size_t row, int x) const { return room_.sharer[PlaceOf(row, x)]; }
 
  private:

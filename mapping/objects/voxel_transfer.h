@@ -11,12 +11,12 @@ namespace dhpmap {
 /// Voxels of a submap, by block.
 using VoxelSet = std::map<BlockIndex, std::bitset<kBlockVoxels>>;
 
-/// Whether anything is known of the voxel.
+/// Whether the voxel has any data.
 bool HasVoxel(const BlockEntry& entry, int linear);
 
-/// Takes voxels away; blocks of which nothing is left go. Geometry, labels and counts of what was looked through.
+/// Removes geometry, labels and gone counts of voxels, and blocks without voxels left.
 void EraseVoxels(const VoxelSet& voxels, Submap& from);
-/// Gives voxels to another submap, which has nothing at these. Whole blocks change hands without being copied.
+/// Moves voxels to another submap, which must have no data there. Whole blocks are moved without a copy.
 void MoveVoxels(const VoxelSet& voxels, Submap& from, Submap& to);
 
 }  // namespace dhpmap

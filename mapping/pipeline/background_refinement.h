@@ -14,30 +14,30 @@
 
 namespace dhpmap {
 
-/// Refines a frozen state of the map on a thread of its own while mapping goes on. Thread-compatible: one owner.
+/// Refines a frozen state of the map on its own thread while mapping continues. Thread-compatible: one owner.
 class BackgroundRefinement {
  public:
   struct Outcome {
     RefinementOutcome changes;
     RefinementReport report;
-    RefinementRound round;  ///< what is left of it
+    RefinementRound round;  ///< its remaining regions
   };
 
   BackgroundRefinement() = default;
-  /// Cancel().
+  /// As Cancel().
   ~BackgroundRefinement();
   BackgroundRefinement(const BackgroundRefinement&) = delete;
   BackgroundRefinement& operator=(const BackgroundRefinement&) = delete;
 
-  /// The next step of `round`, which has `most_steps` if this is its first. Requires that none is under way. The
-  /// slot, if there is one, is given back when the step has ended, and so is the state: the outcome does not keep it.
+  /// Starts the next step of `round`; if it is the first, divides the round into at most `most_steps`. Requires that no
+  /// step is running. Slot and state are released when the step ends; the outcome does not keep the state.
   void Start(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_steps,
              std::optional<RefinementSlots::Slot> slot = std::nullopt);
   [[nodiscard]] bool IsUnderWay() const { return outcome_.valid(); }
   [[nodiscard]] bool IsReady() const;
-  /// Waits for the outcome; empty if it failed, such as for want of memory. Requires that one is under way.
+  /// Waits for the outcome; empty if the step failed, for example for lack of memory. Requires a running step.
   std::optional<Outcome> Take();
-  /// Throws away what is under way; waits until its thread has ended, which is soon.
+  /// Discards a running step; waits until its thread has ended, which is soon.
   void Cancel();
 
  private:

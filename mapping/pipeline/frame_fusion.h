@@ -14,11 +14,11 @@
 
 namespace dhpmap {
 
-/// Integrates each segment of a frame into the submap it was assigned to, by ray tracing (paper Fig. 2 B, II-C), and
-/// clears free space if the config says so. Submaps are independent of each other: the result has the same bits for any
-/// number of threads. What is locked is only noted as seen, and voxels that the map keeps clear are
-/// not written. `segments` are on the map's grid, with one assignment each. Returns the number of voxel updates.
-/// Throws Stopped soon after `stop` is requested, with a part done.
+/// Integrates each segment of a frame into its assigned submap by ray tracing (paper Fig. 2 B, II-C), with carving if
+/// configured. Submaps are independent, so the result is bit-identical for any number of threads. Of locked submaps
+/// only the last-seen time is updated, and voxels in ignored regions are not written. `segments` are on the map's grid,
+/// with one assignment each. Returns the number of voxel updates. Throws Stopped soon after a `stop` request, with part
+/// of the frame fused.
 std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                        std::span<const Assignment> assignments, Map& map, ThreadPool& pool,
                        const std::stop_token& stop = {});

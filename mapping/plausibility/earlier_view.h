@@ -11,31 +11,31 @@
 
 namespace dhpmap {
 
-/// What an earlier frame says of points that a later one has measured.
+/// Agreement of points of a later frame with an earlier frame.
 struct ViewFit {
   std::size_t num_points = 0;
-  std::size_t num_agreeing = 0;  ///< it has seen a surface there
-  std::size_t num_before = 0;    ///< it has looked through there
-  std::size_t num_behind = 0;    ///< it has seen something before that, which may hide it
+  std::size_t num_agreeing = 0;  ///< the earlier frame has a surface there
+  std::size_t num_before = 0;    ///< the earlier frame looks through the point
+  std::size_t num_behind = 0;    ///< the earlier frame has a nearer surface, which may hide the point
 
   [[nodiscard]] std::size_t num_seen() const { return num_agreeing + num_before + num_behind; }
   ViewFit& operator+=(const ViewFit& other);
 };
 
-/// A frame of a depth camera that was there before: its depth image, made coarse. With two frames of one client the
-/// conventions of both can be told, before there is a map, or where it was made from frames of the same mistake.
+/// A coarse depth image of an earlier frame of a depth camera. Two frames of one client reveal its conventions even
+/// before there is a map, or if the map was made from frames with the same mistake.
 class EarlierView {
  public:
   /// Of a depth camera.
   explicit EarlierView(const PanopticFrame& frame);
 
   [[nodiscard]] const SensorClaim& claim() const { return claim_; }
-  /// Of points in the frame of a sensor at `T_map_sensor`, if this view's own claim should have been `claim`.
+  /// Compares points in the frame of a sensor at `T_map_sensor` with this view, as if this view had made `claim`.
   [[nodiscard]] ViewFit FitOf(std::span<const Eigen::Vector3f> points_m, const Transform& T_map_sensor,
                               const SensorClaim& claim) const;
 
  private:
-  /// The least and the greatest depth in and around a cell; nothing: there is no return.
+  /// The smallest and the largest depth in and around a cell; nothing: no return.
   struct DepthRange {
     float least_m, greatest_m;
     [[nodiscard]] bool empty() const { return least_m > greatest_m; }

@@ -14,20 +14,21 @@
 
 namespace dhpmap {
 
-/// What there is to judge a frame by.
+/// The evidence by which a frame is judged.
 struct FrameEvidence {
   const FrameSample& sample;
   const SensorClaim& claim;
-  std::span<const Eigen::Vector3f> points_m;  ///< of the sample, as they are claimed to be, in the sensor's frame
+  std::span<const Eigen::Vector3f> points_m;  ///< of the sample, as claimed, in the sensor's frame
   const std::deque<EarlierView>& views;       ///< of frames of its session before it
   const Map& map;
   const MapFit& fit;  ///< of these points
 };
 
-/// The mistake that explains why a frame does not fit: the evidence speaks against the frame as it is, and for it if
-/// that mistake is corrected, clearly more than for any other. Either the frame and those before it share the mistake,
-/// or it is the frame's alone and the map was made without. kDisagrees: none of them explains it, but the frame
-/// contradicts much of what it meets and looks through surfaces. Nothing: it fits, or nobody can tell.
+/// The mistake that explains why a frame does not fit: the evidence contradicts the frame as sent, and supports the
+/// frame with this mistake corrected, clearly more than with any other correction. Either the frame shares the mistake
+/// with the earlier frames, or only this frame has it and the map was made without. kDisagrees: no mistake explains it,
+/// but the frame contradicts much of the map and sees through surfaces. Nothing: the frame fits, or there is too little
+/// evidence.
 std::optional<FrameWarning> FindFault(const FrameEvidence& evidence);
 
 }  // namespace dhpmap

@@ -11,26 +11,26 @@
 
 namespace dhpmap {
 
-/// What a client has probably mistaken.
+/// The client's probable mistake.
 enum class FrameFault : std::uint8_t {
-  kDisagrees,     ///< with what the map knows; why is not found
-  kPoseInverted,  ///< sensor_from_map in place of map_from_sensor
-  kOpenGlAxes,    ///< of a camera that looks along -z, y up
-  kBodyAxes,      ///< of a body with x forward, y left, z up, as ROS has them
+  kDisagrees,     ///< the frame disagrees with the map for an unknown reason
+  kPoseInverted,  ///< sensor_from_map instead of map_from_sensor
+  kOpenGlAxes,    ///< axes of a camera that looks along -z, y up
+  kBodyAxes,      ///< axes of a ROS body: x forward, y left, z up
   kTranslationInMillimetres,
   kIntrinsicsOfHalf,  ///< of an image of half the width and height
   kIntrinsicsOfDouble,
   kDepthInMillimetres,
-  kStampRepeated,  ///< the one of the frame before
+  kStampRepeated,  ///< equal to that of the previous frame
   kStampWentBack,
 };
 
-/// As clients see it: "POSE_INVERTED".
+/// The name in the API: "POSE_INVERTED".
 std::string_view FaultName(FrameFault fault);
-/// For people: "the pose looks inverted: ...".
+/// A readable sentence: "the pose looks inverted: ...".
 std::string_view FaultText(FrameFault fault);
 
-/// What a frame says of its sensor.
+/// The sensor parameters that a frame claims.
 struct SensorClaim {
   std::optional<PinholeCamera> camera;  ///< none: a LiDAR
   Transform T_map_sensor = Transform::Identity();
@@ -39,9 +39,9 @@ struct SensorClaim {
   static SensorClaim Of(const PanopticFrame& frame);
 };
 
-/// Those that a sensor's points can tell.
+/// The faults that the points of this sensor can reveal.
 std::span<const FrameFault> GeometricFaults(const SensorClaim& claim);
-/// What the claim should have been if that was mistaken; of a geometric fault.
+/// The claim without this geometric fault.
 SensorClaim Corrected(const SensorClaim& claim, FrameFault fault);
 
 }  // namespace dhpmap

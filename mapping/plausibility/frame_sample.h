@@ -16,15 +16,14 @@ inline double Share(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// Some hundred readings of a frame, evenly spread over its image or scan, whatever its size. The same for the same
-/// frame.
+/// A few hundred readings of a frame, evenly spread over its image or scan, for any size. Deterministic.
 class FrameSample {
  public:
   explicit FrameSample(const PanopticFrame& frame);
 
   /// With a return.
   [[nodiscard]] std::size_t num_returns() const { return readings_.size(); }
-  /// Those that are in range then, in the sensor's frame.
+  /// The readings that are in range under a claim, in the sensor's frame.
   [[nodiscard]] std::vector<Eigen::Vector3f> PointsInRange(const SensorClaim& claim,
                                                            const IntegrationConfig& config) const;
 

@@ -9,8 +9,8 @@
 
 namespace dhpmap {
 
-/// The surface of a submap as spheres, in its own frame: one around what lies in each voxel, so that they hold all of
-/// the surface and stick out by at most half a voxel's diagonal; and one around all those of a block.
+/// The surface of a submap as spheres, in its own frame: one for the surface in each voxel, and one around all those of
+/// a block. The spheres contain the whole surface and extend beyond it by at most half a voxel's diagonal.
 struct AttachedShape {
   struct Ball {
     Eigen::Vector3d center_m;
@@ -25,13 +25,13 @@ struct AttachedShape {
   std::size_t num_balls = 0;
 };
 
-/// Of a submap of a state, and of its surface as it is, but for what only is one together with others: what a robot
-/// carries has left them. Ends early, with more than `max_balls`, once there are so many.
+/// The shape of a submap of a state, from its own surface without the triangles that also need voxels of other submaps,
+/// because a carried object has left those. Stops early, with more than `max_balls` balls, once there are so many.
 AttachedShape AttachedShapeOf(const MapSnapshot& state, const Submap& submap, const SubmapSurface& surface,
                               std::size_t max_balls);
 
-/// Of all that was ever observed of a submap of a state, be it absent: what sensors look through where it was taken
-/// from says nothing of what it is. Nothing, if there is no such submap.
+/// The shape from all observations of a submap of a state, even if it is absent: free space seen at its old place does
+/// not change the object's shape. Empty if there is no such submap.
 AttachedShape WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t max_balls);
 
 }  // namespace dhpmap

@@ -12,28 +12,28 @@
 
 namespace dhpmap {
 
-/// Where moving spheres are nearest to a surface that is in their way.
+/// The smallest distance of moving spheres from an obstacle's surface.
 struct LeastClearance {
-  double distance_m;  ///< from a sphere to the surface, less the padding of that; below 0: so far it is within
-  double at = 0;      ///< when, in waypoints
+  double distance_m;  ///< from a sphere to the surface, minus its padding; negative: penetration depth
+  double at = 0;      ///< time, in waypoints
   Eigen::Vector3d point_m = Eigen::Vector3d::Zero();  ///< on the surface
-  const SubmapInfo* submap = nullptr;  ///< whose surface; null: none so near. Valid as long as the surfaces
+  const SubmapInfo* submap = nullptr;  ///< owner of the surface; null: none is so near. Valid as long as the surfaces
 };
 
-/// How near spheres come to surfaces on their way: of each moment the distance of the centre to the nearest surface,
-/// from whichever side, less its padding and the radius. No deeper than radius and padding: then the centre is on the
-/// surface. Between two knots a squared distance bends no more than that of a point does, so few moments are looked at
-/// where surfaces are far. Immutable, thread-safe.
+/// The clearance of spheres along a motion: at each moment the distance of the centre to the nearest surface, from
+/// either side, minus its padding and the radius. It is smallest when the centre is on the surface: minus radius and
+/// padding. Between two knots the curvature of the squared distance is at most that of the distance to a point, so far
+/// from surfaces few moments need a distance. Immutable, thread-safe.
 class ClearanceQuery {
  public:
-  /// What is found is so much too large at most.
+  /// The result is at most this much too large.
   static constexpr double kTolerance_m = 1e-4;
 
   ClearanceQuery(std::shared_ptr<const MapSurfaces> surfaces, const BodyOptions& options);
 
-  /// Puts what is nearer than `least` in its place; what is so by less than the tolerance may be left out. Knots are of
-  /// the map frame, in the order of time; finite. Gives up soon after `stop` is requested or `work` is over: then what
-  /// is there means nothing. True if something was nearer.
+  /// Replaces `least` if the clearance is smaller, and returns whether it was; a difference below the tolerance may be
+  /// ignored. Knots are in the map frame, in order of time, finite. Ends soon after a `stop` request or when `work` is
+  /// spent; the result is then invalid.
   bool Lower(std::span<const SphereKnot> knots, LeastClearance& least, const std::stop_token& stop = {},
              WorkBudget* work = nullptr) const;
 
@@ -41,7 +41,7 @@ class ClearanceQuery {
   class Search;
 
   double most_distance_m_;
-  std::vector<double> paddings_m_;  ///< the different ones
+  std::vector<double> paddings_m_;  ///< distinct values
   SurfacePadding padding_;
   DistanceQuery distances_;
 };

@@ -9,12 +9,12 @@
 
 namespace dhpmap {
 
-/// How far a body is around a thing, from 0 to 1. That it is below counts a quarter, without which it is 0: so a wall
-/// encloses nothing that stands in the room. It `is_below` as who asks knows, since it touches, or is met below half of
-/// the points. What is met above counts a quarter, too, and half what is around: the share of 8 horizontal directions
-/// from points of the thing's surface in which the body is met or, if there is something above, nothing is seen to be
-/// free up to where the body's box ends. 0, too, unless most of the thing is in the body's box. After `stop` it ends
-/// soon, and what it says means nothing.
+/// How far a body encloses a thing, from 0 to 1: a quarter for the body below the thing, a quarter for the body above
+/// it, and half for the share of 8 horizontal directions, from points of the thing's surface, that meet the body. If
+/// there is a surface above, a direction without free space up to the border of the body's box counts as well. The body
+/// is below if the caller knows it (`is_below`, because it touches the thing), or if rays down from half of the points
+/// meet it. The result is 0 unless the body is below, so that a wall encloses nothing that stands in the room; and 0
+/// unless most of the thing is in the body's box. Ends soon after a `stop` request; the result is then invalid.
 double EnclosureOf(const RelatedThing& thing, const RelatedBody& body, bool is_below, const QueryWorld& world,
                    const OneSurface& surface, const std::stop_token& stop);
 

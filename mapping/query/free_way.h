@@ -11,10 +11,10 @@
 
 namespace dhpmap {
 
-/// The length of the shortest straight way of at most `most_m` from a point of the thing's surface to what of the body
-/// is nearest to it that goes through nothing: it meets the surface of no other and, where the map knows what is free,
-/// no stretch of it is unseen in which a wall would have room. Nothing: there is none. After `stop` it ends soon, and
-/// what it says means nothing.
+/// The length of the shortest unobstructed segment between a thing and a body: from a point of the thing's surface to
+/// the nearest point of the body, at most `most_m` long. The segment meets no surface of `others`. If the map has a
+/// free-space layer, no unseen part of the segment is as long as a wall is thick. Nothing: there is no such segment.
+/// Ends soon after a `stop` request; the result is then invalid.
 std::optional<double> FreeWay(const RelatedThing& thing, const RelatedBody& body,
                               std::span<const RelatedBody* const> others, double most_m, const QueryWorld& world,
                               OneSurface& surface, const std::stop_token& stop);

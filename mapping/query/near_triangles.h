@@ -26,9 +26,9 @@ struct NearTriangle {
   [[nodiscard]] Eigen::Vector3d TurnedToMap(const Eigen::Vector3d& v) const { return T_map_submap.linear() * v; }
 };
 
-/// Calls visit(const NearTriangle&) for every triangle of what is in the way whose box, grown by the padding of its
-/// submap, meets that around a body of the map frame, in no order to rely on, until it returns false or `work`, if
-/// there is any, is over. None that the grown body touches is left out.
+/// Calls visit(const NearTriangle&) for every obstacle's triangle whose box, grown by the padding of its submap,
+/// intersects the box around a body in the map frame, until it returns false or `work`, if given, is spent. Includes
+/// every triangle that the grown body touches. The order is unspecified.
 template <typename Shape, typename Visitor>
 void VisitNear(const QueryWorld& world, const Shape& body, Visitor&& visit, WorkBudget* work = nullptr) {
   const MapSurfaces& surfaces = world.surfaces();

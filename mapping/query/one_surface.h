@@ -10,8 +10,8 @@
 
 namespace dhpmap {
 
-/// Asks one submap at a time for the nearest point of its surface, in the frame of an asker whose z is up. Belongs to
-/// one thread.
+/// Searches the nearest surface point of one submap at a time, in the query's frame, whose z is up. One owner, not
+/// thread-safe.
 class OneSurface {
  public:
   struct Found {
@@ -30,7 +30,7 @@ class OneSurface {
   OneSurface(const OneSurface&) = delete;
   OneSurface& operator=(const OneSurface&) = delete;
 
-  /// Of submap `number`, as it is without submap `without`. Nothing: none within the limit.
+  /// The nearest point of submap `number`, in a world without submap `without`. Nothing: none within the limit.
   std::optional<Found> Nearest(std::size_t number, std::size_t without, const Eigen::Vector3d& p_m, double limit_m) {
     is_held_[number] = true;
     is_there_[without] = false;

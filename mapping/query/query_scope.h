@@ -10,8 +10,8 @@
 
 namespace dhpmap {
 
-/// How far surfaces are grown: that of a submap counts before that of its class, and that before the default. Metres,
-/// finite, none negative.
+/// Distance by which surfaces are grown, in metres, finite, not negative. The padding of a submap takes precedence over
+/// that of its class, and that over the default.
 struct SurfacePadding {
   double default_m = 0;
   std::vector<std::pair<ClassId, double>> classes;
@@ -28,34 +28,34 @@ struct SurfacePadding {
   }
 };
 
-/// What a query takes as the world.
+/// The world of a query: which submaps it contains, and how it treats their surfaces and unseen space.
 struct QueryScope {
   std::vector<SubmapId> excluded_submaps;
   std::vector<ClassId> excluded_classes;
   std::optional<std::vector<ClassId>> classes;   ///< only these
   std::optional<std::vector<SubmapId>> submaps;  ///< only these
-  /// On a robot, and no longer where they are: what was in them counts as seen, and free, unless
+  /// Carried by the robot, so no longer at their place: that place counts as seen and free, unless
   /// keeps_attached_unknown.
   std::vector<SubmapId> attached;
-  /// There, but not in the way of whoever asks: neither their surfaces nor their inside (QueryWorld::IsInTheWay). What
-  /// they have observed is seen, and what others have of a surface beside them stays as it is.
+  /// In the world, but not obstacles of this query: neither their surfaces nor their inside (QueryWorld::IsInTheWay).
+  /// Their observed voxels count as seen. Surfaces of other submaps beside them are unchanged.
   std::vector<SubmapId> may_touch;
   SurfacePadding padding;
-  /// What was last looked through so long before the newest look at the map is not known to be free.
+  /// Free space last seen more than this before the newest view of the map counts as unknown.
   std::optional<double> max_free_age_s;
-  /// Whether what objects have left that an edit has moved or deleted (MapSnapshot::vacated) is free, as long as nobody
-  /// has seen anything there; and the place of what is left out of the world: QueryWorld::IsLeft.
+  /// Whether space is free that moved or deleted objects occupied (MapSnapshot::vacated) and that no sensor has seen
+  /// since. The same applies to the places of excluded submaps: QueryWorld::IsLeft.
   bool vacated_is_free = false;
-  bool keeps_attached_unknown = false;  ///< whether what is attached leaves a place that nobody knows
-  /// Also submaps that are absent, but for what of them was looked through: see SurfaceCache::Of.
+  bool keeps_attached_unknown = false;  ///< whether attached submaps leave unknown instead of free space
+  /// Includes absent submaps, except surface that sensors have looked through: see SurfaceCache::Of.
   bool with_absent = false;
 
-  /// Whether every submap is there.
+  /// Whether the world contains every submap.
   [[nodiscard]] bool IsAll() const {
     return excluded_submaps.empty() && excluded_classes.empty() && !classes && !submaps && attached.empty();
   }
 
-  /// The unknown submap has no class, and passes whatever is asked of classes: an obstacle of unknown kind is one.
+  /// The unknown submap has no class and passes every class filter: an obstacle of unknown kind is still an obstacle.
   [[nodiscard]] bool Holds(const SubmapInfo& submap) const {
     const auto contains = [](const auto& list, auto id) {
       return std::find(list.begin(), list.end(), id) != list.end();

@@ -10,7 +10,7 @@
 
 namespace dhpmap {
 
-/// A thing or stuff that relations are looked for of, in the asker's frame, whose z is up.
+/// A thing or background whose relations are searched, in the query's frame, whose z is up.
 struct RelatedBody {
   std::size_t number = 0;  ///< in MapSurfaces
   const Submap* submap = nullptr;

@@ -12,25 +12,26 @@
 
 namespace dhpmap {
 
-/// How much of a thing a body holds up.
+/// The share of a thing that a body supports.
 struct SupportShare {
-  std::size_t body = 0;  ///< position among those that were asked about
-  double share = 0;      ///< of the columns of the thing that anything holds
-  double gap_m = 0;      ///< between the surface that holds it and the height of the thing's lowest points
+  std::size_t body = 0;  ///< position in `bodies`
+  double share = 0;      ///< of the supported columns of the thing
+  double gap_m = 0;      ///< between the supporting surface and the height of the thing's lowest points
 };
 
-/// Each body that holds at least `least_share` of the columns of a thing, one voxel wide, that anything holds. A column
-/// in which the thing has a surface is held by the body that has, nearest to its foot at the height of the thing's
-/// lowest points and no more than 3 voxels aside, a surface that faces up, no more than half a voxel above and two
-/// below; or any surface, if it ends there and nobody has seen its upper side. Nothing, if none is nearer than a voxel
-/// and the thing is seen to hang, over free space and at stuff beside or above it. After `stop` it ends soon, and what
-/// it says means nothing. WhatIsBelow, too.
+/// Each body that supports at least `least_share` of the supported columns of a thing. Columns are one voxel wide;
+/// those count in which the thing has a surface. The foot of a column is at the height of the thing's lowest points.
+/// The column is supported by the body with the nearest surface to the foot, at most 3 voxels aside, half a voxel above
+/// and two voxels below, that faces up; or whose border is there, if no sensor has seen its upper side. Empty if no
+/// body is nearer than a voxel and the thing is seen to hang: over free space, and at stuff beside or above it. Ends
+/// soon after a `stop` request; the result is then invalid. Both also apply to WhatIsBelow.
 std::vector<SupportShare> WhatTouches(const RelatedThing& thing, std::span<const RelatedBody* const> bodies,
                                       double least_share, const QueryWorld& world, OneSurface& surface,
                                       const std::stop_token& stop);
 
-/// The same of what is up to 0.5 m below, for what nothing touches: it is taken to stand there on feet that nobody has
-/// seen, unless it is seen to hang, or nothing but free space is below it, or the map does not know what is free.
+/// The same for surfaces up to 0.5 m below, for a thing that no body touches. The thing is assumed to stand there on
+/// feet that no sensor has seen. Empty if the thing is seen to hang, if only free space is below it, or if the map has
+/// no free-space layer.
 std::vector<SupportShare> WhatIsBelow(const RelatedThing& thing, std::span<const RelatedBody* const> bodies,
                                       double least_share, const QueryWorld& world, OneSurface& surface,
                                       const std::stop_token& stop);

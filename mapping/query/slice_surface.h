@@ -12,17 +12,17 @@
 
 namespace dhpmap {
 
-/// Which cells of a slice hold any of a surface within its band, and whose most of it is, by area: that of the very
-/// triangles that checks of bodies meet, cut to the band and the cell. Works some rows at a time, in whichever order
-/// rows are asked for. Belongs to one thread.
+/// The cells of a slice that contain surface within its band, each with the owner of most of it, by area. Uses the same
+/// triangles as checks of bodies, clipped to the band and the cell. Works on a few rows at a time; rows may be
+/// requested in any order. One owner, not thread-safe.
 class SliceSurface {
  public:
   /// Both outlive this.
   SliceSurface(const QueryWorld& world, const SliceOptions& options);
 
   static constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
-  /// By cell of a row: of the submap, by its number in MapSurfaces; kNobody: there is no surface. Valid until the next
-  /// call. After `stop` is requested it means nothing.
+  /// For each cell of a row the number of the submap in MapSurfaces; kNobody: no surface. Valid until the next call;
+  /// invalid after a `stop` request.
   [[nodiscard]] const std::uint32_t* Row(int y, const std::stop_token& stop);
 
  private:

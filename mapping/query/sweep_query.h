@@ -12,31 +12,31 @@
 
 namespace dhpmap {
 
-/// What a moving sphere meets first.
+/// The first contact of a moving sphere.
 struct SweepContact {
-  double at = 0;  ///< when, in waypoints
+  double at = 0;  ///< time, in waypoints
   BodyContact contact;
-  double depth_then_m = 0;  ///< how deep at that moment: above 0 only where the way begins, or inside something
+  double depth_then_m = 0;  ///< depth at that time: above 0 only at the start, or inside an object
 };
 struct SweepAnswer {
   std::optional<SweepContact> first;
-  std::optional<double> unknown_at;  ///< when it first is in part where nobody has seen, before it meets anything
+  std::optional<double> unknown_at;  ///< time when it first contains unseen space, if before any contact
 };
 
-/// What spheres meet on their way through a state of a map: the same that is in the way of bodies (BodyQuery), at any
-/// moment of the way, however fast. Where surfaces are far it goes as far as they are in one step, where they are near
-/// from knot to knot by when it touches each triangle. The inside of objects counts at the first knot and wherever it
-/// looks for the distance: to get inside it has to go through a surface, or through what nobody has seen.
+/// Contacts of moving spheres in a state of a map, with the same obstacles as BodyQuery. The check is continuous: it
+/// misses no contact at any speed. Far from surfaces a step is as long as the distance to the nearest surface; near
+/// surfaces the time of contact with each triangle is computed from knot to knot. The inside of objects is tested at
+/// the first knot and wherever a distance is computed: a sphere can get inside only through a surface or unseen space.
 /// Immutable, thread-safe.
 class SweepQuery {
  public:
-  /// Without `counts_inside` only surfaces are in the way, from both sides: for what else is met by those who have gone
-  /// through one.
+  /// Without `counts_inside` only surfaces are obstacles, from both sides: to find further contacts after a sphere has
+  /// passed through a surface.
   SweepQuery(std::shared_ptr<const MapSurfaces> surfaces, BodyOptions options, bool counts_inside = true);
 
-  /// Of the map frame, in the order of time; finite. Only what happens no later than `until`. The depth of a contact
-  /// on the way is that at the next knot, or 0. Gives up soon after `stop` is requested or `work` is over: then the
-  /// answer means nothing.
+  /// The first contact no later than `until`. Knots are in the map frame, in order of time, finite. The depth of a
+  /// contact between knots is that at the next knot, or 0. Ends soon after a `stop` request or when `work` is spent;
+  /// the result is then invalid.
   [[nodiscard]] SweepAnswer First(std::span<const SphereKnot> knots,
                                   double until = std::numeric_limits<double>::infinity(),
                                   const std::stop_token& stop = {}, WorkBudget* work = nullptr) const;

@@ -14,16 +14,17 @@ namespace dhpmap {
 
 inline constexpr double kHalfDiagonal_vox = 0.8660254037844387;  ///< of a voxel
 
-/// Whether a voxel that nobody has seen is not in the way of who may touch what it is the inside of.
+/// Whether an unseen voxel is no obstacle, because it is inside an object that the query may touch.
 bool IsAllowed(const QueryWorld& world, VoxelIndex voxel, double max_depth_m, WorkBudget* work);
 
-/// Whether every block that a box of the map frame meets is free as a whole. Not looked at if these are more than 512.
+/// Whether every block that intersects a box of the map frame is entirely free. False without a test for more than 512
+/// blocks.
 bool IsFreeThroughout(const QueryWorld& world, const Eigen::AlignedBox3d& box);
 
-/// Calls visit(voxel) for voxels of the map's grid whose centre a body (of the map frame) holds and that nobody has
-/// seen, until it returns false or `work`, if there is any, is over. A body thinner than a voxel's diagonal is taken to
-/// be as thick, so that the voxels it lies in count. Blocks that are free as a whole cost next to nothing. Beyond the
-/// reach of the grid one voxel at its rim is visited.
+/// Calls visit(voxel) for unseen voxels of the map's grid whose centre is in a body (in the map frame), until it
+/// returns false or `work`, if given, is spent. A body thinner than a voxel's diagonal is treated as this thick, so
+/// that the voxels it lies in count. Entirely free blocks cost almost nothing. For a body beyond the range of the grid,
+/// one voxel at its border is visited.
 template <typename Shape, typename Visitor>
 void VisitUnseen(const QueryWorld& world, const Shape& thin, Visitor&& visit, WorkBudget* work = nullptr) {
   const double size_m = world.voxel_size_m();

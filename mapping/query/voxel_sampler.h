@@ -10,7 +10,7 @@ namespace dhpmap {
 
 /// An observed voxel of a submap, not contradicted since (GoneBlock). Valid as long as the submap.
 struct VoxelSample {
-  const BlockEntry* block = nullptr;  ///< null: nothing is known there
+  const BlockEntry* block = nullptr;  ///< null: there is no such voxel
   int linear = 0;                     ///< the voxel in its block
 
   [[nodiscard]] bool IsObserved() const { return block != nullptr; }
@@ -26,7 +26,7 @@ inline VoxelSample SampleVoxel(const BlockEntry& block, int linear) {
   return is_shown ? VoxelSample{&block, linear} : VoxelSample{};
 }
 
-/// The voxel of `submap` at an index of its own grid, and the one that holds a point of its frame (finite, metres,
+/// The voxel of `submap` at an index of its own grid, or the one that contains a point of its frame (finite, metres,
 /// within the range of the grid).
 inline VoxelSample SampleVoxel(const Submap& submap, VoxelIndex voxel) {
   const BlockEntry* block = submap.blocks().Find(BlockOf(voxel));

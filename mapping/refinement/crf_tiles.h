@@ -20,10 +20,10 @@ struct HeldBlock {
   BlockIndex index;
   SubmapId holder;
   const BlockEntry* entry;
-  float most_distance_m = 0;  ///< to a surface, up to which its voxels take part
+  float most_distance_m = 0;  ///< voxels up to this distance from a surface take part
 
-  /// Whether a labelled voxel takes part in the CRF: where it is too far from a surface to show it, its label is
-  /// nobody's answer, and less often right. What was concluded of it is looked at again all the same.
+  /// Whether a labelled voxel takes part in the CRF. Labels of voxels far from a surface are in no answer and less
+  /// often right, so they do not. Voxels with an earlier conclusion always take part.
   [[nodiscard]] bool TakesPart(int linear) const {
     if (!entry->Shows(linear) || entry->labels->IsEmpty(linear)) return false;
     const float distance_m = std::abs(entry->tsdf->distance_m[static_cast<std::size_t>(linear)]);
@@ -53,11 +53,10 @@ struct CrfTile {
   ScratchVector<std::uint32_t> rim;
 };
 
-/// Cuts the blocks into cubes of `side` blocks; with `region`, those blocks that lie in it. What lies within `rim`
-/// blocks of an inner block is in its tile, too. Blocks are left out where nothing is in dispute: if all voxels within
-/// `rim` blocks have seen the same instance most, and none another as often, then it gets the largest message
-/// everywhere and stays the first choice. What was concluded before may be otherwise now: it is in dispute. Largest
-/// tiles first.
+/// Divides the blocks into cubes of `side` blocks; with `region`, only its blocks. A tile also has the blocks within
+/// `rim` blocks of an inner block. Undisputed blocks are left out: if all voxels within `rim` blocks have the same most
+/// frequent instance, without a tie, that instance gets the largest message everywhere and stays the first choice.
+/// Voxels with an earlier conclusion are disputed, because the conclusion may change. Largest tiles first.
 std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInstances& known, int side, int rim,
                               ThreadPool& pool, const RefinementRegion* region = nullptr);
 

@@ -10,9 +10,9 @@
 
 namespace dhpmap {
 
-/// The blocks of a map that a step of its refinement has to do with: those of a region and of its rim. While mapping
-/// goes on, what is kept of an older state is soon memory that only this state needs, so a step keeps no more than
-/// that. Immutable, thread-safe.
+/// The blocks that a step of refinement needs: those of a region and of its rim. A step keeps no other blocks, because
+/// while mapping continues, blocks of an older state soon take memory that no other state needs. Immutable,
+/// thread-safe.
 class RegionPart {
  public:
   /// All of the map.
@@ -28,10 +28,10 @@ class RegionPart {
   int rim_ = 0;
 };
 
-/// Goes on from a state with all of its submaps, and of their blocks with those of `part`. A submap that has observed
-/// voxels elsewhere has one more block, so that it is not taken for empty. Free space is not in it, nor is the state
-/// kept. RefineRegion does to those blocks what it does to them in the whole map; rows of submaps (sphere, counts of
-/// classes) may become wrong.
+/// A map with all submaps of a state, and those of their blocks that are in `part`. A submap with observed voxels
+/// elsewhere has one more block, so that it does not count as empty. The map has no free space and does not keep the
+/// state. RefineRegion changes these blocks as it would in the whole map; rows of submaps (sphere, counts of classes)
+/// may become wrong.
 Map GoOnFrom(const MapSnapshot& state, const RegionPart& part);
 
 }  // namespace dhpmap

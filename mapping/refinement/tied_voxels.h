@@ -8,14 +8,14 @@
 
 namespace dhpmap {
 
-/// Where two objects touch, a voxel may have seen both as often, and hold the mean of both distances. Neighbours of a
-/// kind say little of it then: one just within a ball goes to the floor with its surface, which is the ball's, and is
-/// left in the air when the ball is taken away. Such a voxel goes to the one of those it has seen as often whose
-/// surface it continues: that holds a neighbour (of six) on the other side of the surface, while who is likeliest holds
-/// none; within 0.01 voxels of the surface a voxel is on neither side. Of several, to the one with the most such
-/// neighbours; of these, to the smallest id.
+/// Resolves ties between two objects that touch. There a voxel may have equal counts of both, and the mean of both
+/// distances. The labels of its neighbours then decide little: a voxel just inside a ball could go to the floor
+/// together with the ball's surface, and would stay in the air when the ball is removed. Such a voxel goes to the
+/// object with equal counts whose surface it continues: that object holds a neighbour (of six) on the other side of the
+/// surface, while the likeliest object holds none. Within 0.01 voxels of the surface a voxel is on neither side. Among
+/// several objects, the one with the most such neighbours gets the voxel; then the smallest id.
 ///
-/// `likeliest`: a label a member, read as it was and written.
+/// `likeliest`: one label per member; input and output.
 void KeepTiedWithTheirSurface(const TileProblem& problem, std::span<SubmapId> likeliest);
 
 }  // namespace dhpmap

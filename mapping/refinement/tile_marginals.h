@@ -7,8 +7,8 @@
 
 namespace dhpmap {
 
-/// How likely each instance is at each of a tile's voxels, the rim's included, after the CRF: by member, then channel;
-/// those of a member add up to 1. From what was seen alone, whatever was concluded before.
+/// The marginals of each instance at each voxel of a tile, including the rim, after the CRF: by member, then channel.
+/// The marginals of a member add up to 1. Computed from observations only, not from earlier conclusions.
 ScratchVector<float> TileMarginals(const TileProblem& problem, const MapConfig& map_config);
 
 }  // namespace dhpmap

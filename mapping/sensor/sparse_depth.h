@@ -19,8 +19,8 @@ struct PixelWindow {
   }
 };
 
-/// The nearest point of each cell of an image, and what is within a window around any pixel. The order of points does
-/// not matter. Immutable, thread-safe.
+/// The nearest point of each cell of an image, with queries of a window around any pixel. The order of points does not
+/// matter. Immutable, thread-safe.
 class SparseDepth {
  public:
   /// Points lie in the image, which starts at pixel (0, 0) as the cells do.
@@ -32,7 +32,7 @@ class SparseDepth {
     return nearest_above_m_[At(static_cast<int>(p.u_px * per_u_), static_cast<int>(p.v_px * per_v_))] < limit_m;
   }
 
-  /// Calls use(nearest point) for each cell that the window around p touches, until it answers true; says whether it
+  /// Calls use(nearest point) for each cell that the window around p touches, until it returns true; returns whether it
   /// did. Empty cells are infinitely far.
   template <typename Use>
   bool AnyAround(const ProjectedPoint& p, const Use& use) const {

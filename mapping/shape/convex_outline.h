@@ -6,12 +6,12 @@
 
 namespace dhpmap {
 
-/// Corners of a convex polygon of a plane, counterclockwise, none of them between two others on a line. One or two, of
-/// points that are at one place or on one line.
+/// Corners of a convex polygon of a plane, counterclockwise, no three of them on a line. One or two corners if all
+/// points are equal or on one line.
 using ConvexOutline = std::vector<Eigen::Vector2d>;
 
-/// The convex hull (Andrew's monotone chain), from the point of least x, of these of least y. None for no points, all
-/// of which are finite.
+/// The convex hull (Andrew's monotone chain) of finite points, starting at the point of least x, then least y. Empty
+/// for no points.
 ConvexOutline ConvexHull(std::vector<Eigen::Vector2d> points);
 
 /// A rectangle of a plane: `across` is its first axis, of length 1; the second is a quarter turn counterclockwise.
@@ -21,7 +21,7 @@ struct Rectangle {
   Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< along the axes, the first no less than the second
 };
 
-/// The same one, told as LeastRectangle tells it: the longer side first, `across` with x above 0, or +y.
+/// The same rectangle in the form of LeastRectangle: the longer side first, `across` with x above 0, or +y.
 Rectangle Ordered(Rectangle rectangle);
 
 /// The rectangle of least area around a hull that is not empty (rotating callipers: one of its sides lies on one of the
@@ -31,7 +31,7 @@ Rectangle LeastRectangle(const ConvexOutline& hull);
 /// The area of a hull.
 double AreaOf(const ConvexOutline& hull);
 
-/// What two hulls have in common (Sutherland and Hodgman 1974). Empty if that has no area.
+/// The intersection of two hulls (Sutherland and Hodgman 1974). Empty if it has no area.
 ConvexOutline Intersection(const ConvexOutline& a, const ConvexOutline& b);
 
 }  // namespace dhpmap

@@ -20,7 +20,7 @@ inline constexpr int kOctantSide = 4;
 inline constexpr int kOctantVoxels = kOctantSide * kOctantSide * kOctantSide;
 
 inline constexpr int SideOf(CellSize size) { return 32 >> static_cast<int>(size); }
-/// From a cell's centre to the centres of its outermost voxels: what is said of a cell is said of voxel centres.
+/// From a cell's centre to the centres of its outermost voxels: a cell stands for the centres of its voxels.
 inline constexpr float HalfSpanOf(CellSize size) { return 0.5f * static_cast<float>(SideOf(size) - 1); }
 
 /// Centres of up to eight cells of one size.
@@ -34,7 +34,7 @@ struct BallBatch {
   std::array<float, kLanes> x{}, y{}, z{}, radius{};
 };
 
-/// What a place is to be scaled by to lie nearer to the sensor by `by_vox`, in the same direction.
+/// The factor that moves a point nearer to the sensor by `by_vox`, in the same direction.
 inline float ScaleToNearer(float x, float y, float z, float by_vox) {
   const float range = std::sqrt(x * x + y * y + z * z);
   return range > by_vox ? 1 - by_vox / range : 0.0f;
@@ -61,11 +61,11 @@ inline CellBatch ChildrenOf(CellSize size, float x, float y, float z) {
   return children;
 }
 
-/// What a look says of all voxel centres of a cell.
+/// The result of a view for all voxel centres of a cell.
 enum class CellSight : std::uint8_t {
   kHidden,  ///< none is free
-  kFree,    ///< all are
-  kMixed,   ///< not told: ask its parts
+  kFree,    ///< all are free
+  kMixed,   ///< undecided: test its parts
 };
 using CellSights = std::array<CellSight, kLanes>;
 

@@ -19,18 +19,20 @@
 
 namespace dhpmap {
 
-/// Finds what a view contradicts of a map's submaps and counts it there (GoneBlock). Tiles take turns, by the number of
-/// the frame, until something of them is counted, but for those of things that the same frame has not observed, and of
-/// the unknown submap, which has what no prediction has named of anything: of what may have left there may be few
-/// views. A look through much of what a block says of a surface counts as two, and so does one at what is nameless
-/// where the same look goes through such things, in the block or right beside it. Submaps that somebody has put where
-/// they are or has locked, and those on another grid than the map's, which were moved, are left alone, and so are
-/// voxels in regions that are kept clear, of which no point is seen. Keeps its buffers but for a map of indices.
-/// Thread-compatible.
+/// Finds the surface voxels of a map's submaps that a view contradicts, and counts them (GoneBlock).
+///
+/// Tiles are tested in turn, by the number of the frame, until one of their voxels is counted. Tiles of things that the
+/// frame has not observed, and of the unknown submap (parts of any object without a label), are tested every frame,
+/// because there may be few views of a place that an object has left. Looking through a large part of a block's surface
+/// counts twice. So does looking through surface of the unknown submap, if the same view looks through a thing that the
+/// frame has not observed, in the same block or right beside it.
+///
+/// Never changes submaps that an edit has placed or locked, submaps on another grid than the map's, or voxels in
+/// ignored regions, of which frames have no points. Reuses its buffers except a map of indices. Thread-compatible.
 class GoneFinder {
  public:
-  /// Returns the submaps of which voxels were counted, by ascending id. The outcome does not depend on the number of
-  /// threads. Throws Stopped soon after `stop` is requested.
+  /// Returns the submaps with counted voxels, by ascending id. The result does not depend on the number of threads.
+  /// Throws Stopped soon after a `stop` request.
   template <typename View>
   std::vector<SubmapId> Look(const View& view, const GridOrigin& origin, const Viewpoint& from, Map& map,
                              ThreadPool& pool, const std::stop_token& stop = {}) {
@@ -51,17 +53,18 @@ class GoneFinder {
   }
 
  private:
-  /// A frame that sees past fewer voxels of a block says nothing: noise strikes single ones, what leaves takes dozens.
+  /// A frame that contradicts fewer voxels of a block does not count: noise affects single voxels, an object that has
+  /// left dozens.
   static constexpr int kLeastVoxels = 8;
-  /// Unless so many of the block, in all submaps, are gone or seen past: voxels at the border of what leaves belong to
-  /// other submaps, a few to each.
+  /// It counts nevertheless if this many voxels of the block, in all submaps, are gone or contradicted: voxels at the
+  /// border of an object that has left belong to other submaps, a few to each.
   static constexpr int kLeastTogether = 12;
 
-  /// What a look has to find of a submap.
+  /// The expectation for a submap.
   enum class Role : std::uint8_t {
-    kStays,        ///< is there, most likely
+    kStays,        ///< probably still there
     kMayHaveLeft,  ///< a thing that the frame has not observed
-    kNameless,     ///< the unknown submap, which has parts of anything
+    kNameless,     ///< the unknown submap, which may have parts of any object
   };
 
   struct alignas(kCacheLineBytes) Job {
@@ -74,7 +77,7 @@ class GoneFinder {
     std::vector<ContradictedBlock> found;
   };
 
-  /// Takes the voxels of the submap that are kept clear out of what was found.
+  /// Removes voxels in ignored regions from `found`.
   static void LeaveOutKeptClear(const KeptClear& kept_clear, const SubmapInfo& info,
                                 std::vector<ContradictedBlock>& found);
   /// The tiles of submaps that are in view.
@@ -82,21 +85,21 @@ class GoneFinder {
   /// `turn`: of the frame.
   void AddJobs(const Submap& submap, Role role, std::uint64_t turn);
   void AddJob(const Submap& submap, const TileEntry& entry, Role role, std::uint64_t turn);
-  /// Reads what is on the disk of the tiles that have counts.
+  /// Reads the tiles with counts from disk if necessary.
   void NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop);
   void AddUp();
   [[nodiscard]] bool IsEnough(const ContradictedBlock& block) const;
-  /// Whether things that are leaving are looked through there or right beside it.
+  /// Whether the view looks through things of kMayHaveLeft in the block or right beside it.
   [[nodiscard]] bool IsByWhatLeaves(BlockIndex block) const;
   std::vector<SubmapId> Count(const Viewpoint& from, Map& map);
 
   std::vector<TileToLook> tiles_;  ///< in view
   IndexMap<TileIndex> in_view_;    ///< the same
-  std::vector<Job> jobs_;          ///< beyond num_jobs_ they are kept for their memory
+  std::vector<Job> jobs_;          ///< those beyond num_jobs_ are spare, to reuse their memory
   std::size_t num_jobs_ = 0;
-  LeftBlocks left_;      ///< before the look
-  LeftBlocks together_;  ///< after it, with what it says
-  LeftBlocks leaving_;   ///< of the look alone, what goes through things that the frame has not observed
+  LeftBlocks left_;      ///< before the view
+  LeftBlocks together_;  ///< including the view
+  LeftBlocks leaving_;   ///< of the view alone, in things that the frame has not observed
 };
 
 }  // namespace dhpmap

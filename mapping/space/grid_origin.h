@@ -8,9 +8,10 @@
 
 namespace dhpmap {
 
-/// The sensor on the map's grid, its origin split so that single precision holds what is near it, wherever that is.
+/// The sensor's position on the map's grid, split into voxel and offset, so that single precision suffices near the
+/// sensor anywhere in the map.
 struct GridOrigin {
-  VoxelIndex voxel;            ///< that holds it
+  VoxelIndex voxel;            ///< that contains the sensor
   Eigen::Vector3d offset_vox;  ///< within that voxel
 
   GridOrigin(const Eigen::Vector3d& p_map_m, double voxel_size_m)

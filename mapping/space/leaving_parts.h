@@ -8,8 +8,8 @@
 
 namespace dhpmap {
 
-/// Of the surface of a part that stands apart from the rest of its thing, a greater share that was looked through at
-/// least twice means that the part has left. What is observed again begins at 0, so a part that is seen has no such.
+/// A separate part of a thing has left if more than this share of its surface was looked through at least twice. A new
+/// observation resets the count, so a part that is still seen has no such voxels.
 inline constexpr double kLeavingShare = 0.4;
 
 /// Blocks of a submap that hold a part of its surface and touch each other.
@@ -23,12 +23,13 @@ struct SurfacePart {
   }
 };
 
-/// All of them, by their least block. Reads all of the submap.
+/// All parts, by their smallest block. Reads the whole submap.
 std::vector<SurfacePart> FindSurfaceParts(const Submap& submap);
 
-/// What was moved is seen where it is now, and was looked through where it was. So of a thing in several parts, those
-/// that are leaving are contradicted as a whole, with what sensors did not look at. If all of them are, or there is
-/// only one, nothing changes: whether the thing is absent is for UpdatePresence to say. Returns the other parts.
+/// Removes the old place of a thing that has moved in the world: it is seen at its new place, and sensors look through
+/// the old one. If a thing has several parts, every part that IsLeaving is contradicted as a whole, including surface
+/// that no sensor has looked through. If all parts are leaving, or there is only one, nothing changes: UpdatePresence
+/// decides whether the thing is absent. Returns the remaining parts.
 std::vector<SurfacePart> LetPartsLeave(SubmapId id, Map& map);
 
 }  // namespace dhpmap

@@ -11,15 +11,14 @@
 
 namespace dhpmap {
 
-/// Looks at one tile from large cells to small ones: what a cell is told is told of all its voxels, so the outcome is
-/// that of testing each voxel, but for those that were free before: they are left out where `known` has whole blocks or
-/// octants of them.
-/// `View` is CameraView or LidarView.
+/// Tests one tile from large cells to small ones. A result for a cell holds for all its voxels, so the outcome is that
+/// of testing each voxel, except that whole blocks or octants that are free in `known` are skipped. `View` is
+/// CameraView or LidarView.
 template <typename View>
 class TileLook {
  public:
-  /// `known`: what is free already; null if nothing. `confirms`: find at least one free block or voxel, known or not,
-  /// so that it shows whether the tile was looked through.
+  /// `known`: voxels that are free already; null: none. `confirms`: find at least one free block or voxel, known or
+  /// not, to show whether the view looks through the tile.
   TileLook(const View& view, const FreeTile* known, bool confirms, FreeBlocks& seen)
       : view_(view), known_(known), confirms_(confirms), seen_(seen) {}
 
@@ -57,7 +56,7 @@ class TileLook {
     for (std::size_t child = 0; child < kLanes; ++child) blocks |= std::uint64_t{1} << CellIn(eighth, child);
     return blocks;
   }
-  /// Whether these blocks need no look.
+  /// Whether these blocks can be skipped.
   [[nodiscard]] bool IsKnown(std::uint64_t blocks) const {
     return known_ != nullptr && (known_->full() & blocks) == blocks && !(confirms_ && seen_.empty());
   }

@@ -10,12 +10,13 @@
 
 namespace dhpmap {
 
-/// What is known of the voxels of one block of a map's grid, so that nobody need ask every submap. A bit a voxel.
+/// Observations of the voxels of one block of a map's grid, so that queries need not test every submap. One bit per
+/// voxel.
 struct CellSight {
   FreeMask free{};                    ///< sensors have looked through it
-  FreeMask observed{};                ///< in a submap that lies as mapped
+  FreeMask observed{};                ///< in a submap on the map's grid
   FreeMask front{};                   ///< and there in front of a surface
-  std::vector<std::uint32_t> others;  ///< numbers of submaps that lie otherwise, and may hold something of it
+  std::vector<std::uint32_t> others;  ///< numbers of submaps off the grid that may have voxels in the block
 
   [[nodiscard]] static bool Has(const FreeMask& mask, int linear) {
     return (mask[static_cast<std::size_t>(linear >> 6)] >> (linear & 63) & 1u) != 0;

@@ -15,17 +15,16 @@
 
 namespace dhpmap {
 
-/// Where what is known of the cells of one state of a map is kept; a cell is a block of the map's grid. Thread-safe;
-/// nobody waits.
+/// Storage for cached cells of one state of a map; a cell is a block of the map's grid. Thread-safe, without waiting.
 class CellSlots {
  public:
-  /// Cells are of use up to so far from a surface: no less than what queries mostly ask for.
+  /// Cells are used up to this distance from a surface: at least the usual max_distance_m of queries.
   static constexpr double kReach_m = 3.3;
-  /// Times asked for that a slot can count.
+  /// The largest number of requests that a slot can count.
   static constexpr std::uintptr_t kMostAsked = 255;
 
-  /// Around `box_m`, in the map frame; empty: no cell is ever made, nor if the box is beyond all measure. What they
-  /// take is added to the ledger while they are there.
+  /// Covers `box_m`, in the map frame; if it is empty or too large, no cell is ever stored. The ledger counts the
+  /// memory of the cells.
   CellSlots(const Eigen::AlignedBox3d& box_m, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger);
   CellSlots(const CellSlots&) = delete;
   CellSlots& operator=(const CellSlots&) = delete;
@@ -35,11 +34,11 @@ class CellSlots {
   [[nodiscard]] double radius_m() const { return 0.8660254037844387 * side_m_; }
   [[nodiscard]] const SurfaceLedger& ledger() const { return *ledger_; }
 
-  /// A cell's address, or how often it was asked for.
+  /// The address of a cell, or the number of requests for it.
   using Slot = std::atomic<std::uintptr_t>;
-  /// Where the cell at a point (finite) is kept; null: beyond the box.
+  /// The slot of the cell at a point (finite); null: outside the box.
   [[nodiscard]] Slot* SlotAt(const Eigen::Vector3d& p_map) const;
-  /// The centre of the cell at a point of the box, in the map frame, and the block of the map's grid that the cell is.
+  /// The centre of the cell at a point of the box, in the map frame, and the cell's block of the map's grid.
   [[nodiscard]] Eigen::Vector3d CentreAt(const Eigen::Vector3d& p_map) const;
   [[nodiscard]] BlockIndex BlockAt(const Eigen::Vector3d& p_map) const;
 
@@ -58,7 +57,7 @@ class CellSlots {
   }
 
  private:
-  static constexpr int kGroupSide = 4;  // cells along an axis of a group, which is allocated as one
+  static constexpr int kGroupSide = 4;  // cells along an axis of a group, which is one allocation
   using Group = std::array<Slot, std::size_t{kGroupSide} * kGroupSide * kGroupSide>;
 
   double voxel_size_m_;
@@ -70,11 +69,11 @@ class CellSlots {
   mutable std::atomic<std::size_t> own_bytes_{0};
 };
 
-/// Cells of one kind, each made once it has been asked for often enough. `Cell::MemoryBytes()` says what one takes.
+/// Cells of one kind. A cell is computed once it has been requested often enough. `Cell::MemoryBytes()` is its size.
 template <typename Cell>
 class CellGrid : public CellSlots {
  public:
-  /// `num_enough`: times asked for, up to kMostAsked, after which a cell is wanted.
+  /// `num_enough`: the number of requests, up to kMostAsked, after which a cell is computed.
   CellGrid(const Eigen::AlignedBox3d& box_m, double voxel_size_m, std::shared_ptr<SurfaceLedger> ledger,
            std::uintptr_t num_enough)
       : CellSlots(box_m, voxel_size_m, std::move(ledger)), num_enough_(num_enough) {}
@@ -84,23 +83,23 @@ class CellGrid : public CellSlots {
     });
   }
 
-  /// The cell, or null; then `num_asked` says how often it was asked for before, up to num_enough.
+  /// The cell, or null; then `num_asked` is the number of earlier requests, up to num_enough.
   [[nodiscard]] const Cell* Find(Slot& slot, std::uintptr_t& num_asked) const {
     std::uintptr_t there = slot.load(std::memory_order_acquire);
     if (there > kMostAsked) return CellIn(there);
     num_asked = there;
-    // Counts that are lost to others who count do no harm.
+    // A count that is lost to a concurrent thread does no harm.
     if (there < num_enough_) slot.compare_exchange_strong(there, there + 1, std::memory_order_relaxed);
     return nullptr;
   }
-  /// The cell, or null; then `is_wanted` says whether the asker should make it, having been asked for often enough.
+  /// The cell, or null; then `is_wanted` says whether the caller should compute it now.
   [[nodiscard]] const Cell* Find(Slot& slot, bool& is_wanted) const {
     std::uintptr_t num_asked = 0;
     const Cell* cell = Find(slot, num_asked);
     is_wanted = cell == nullptr && num_asked == num_enough_;
     return cell;
   }
-  /// Keeps a cell that was wanted, or the one that somebody else put there meanwhile. Valid as long as this.
+  /// Stores a wanted cell. Returns it, or the cell that another thread has stored meanwhile. Valid as long as this.
   const Cell& Put(Slot& slot, std::unique_ptr<const Cell> cell) const {
     std::uintptr_t there = slot.load(std::memory_order_acquire);
     while (there <= kMostAsked) {
@@ -115,7 +114,7 @@ class CellGrid : public CellSlots {
   [[nodiscard]] std::uintptr_t num_enough() const { return num_enough_; }
 
  private:
-  /// Of a slot above kMostAsked: it is a count or a cell, changed at once.
+  /// The cell in a slot with a value above kMostAsked; smaller values are counts.
   [[nodiscard]] static const Cell* CellIn(std::uintptr_t slot) {
     return reinterpret_cast<const Cell*>(slot);  // NOLINT(performance-no-int-to-ptr)
   }

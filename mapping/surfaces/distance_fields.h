@@ -17,7 +17,7 @@ namespace dhpmap {
 
 /// A near field in one state of a map.
 struct FieldCell {
-  std::shared_ptr<const NearField> field;  ///< null: none can be made
+  std::shared_ptr<const NearField> field;  ///< null: impossible here
   std::vector<std::uint32_t> numbers;      ///< in MapSurfaces, of the field's submaps
   CellSight sight;
 
@@ -26,8 +26,7 @@ struct FieldCell {
   }
 };
 
-/// The near fields of one state of a map, where enough was asked to pay for them (FindFieldCell). Thread-safe; nobody
-/// waits.
+/// The near fields of one state of a map, in frequently queried cells (FindFieldCell). Thread-safe, without waiting.
 class DistanceFields : public CellGrid<FieldCell> {
  public:
   /// `state`: the state's number in the store.
@@ -39,7 +38,7 @@ class DistanceFields : public CellGrid<FieldCell> {
   [[nodiscard]] std::uint64_t state() const { return state_; }
 
  private:
-  static constexpr std::uintptr_t kEnough = 64;  // points: then to make a field costs about what was spent
+  static constexpr std::uintptr_t kEnough = 64;  // points: a field then costs about as much as their searches
 
   const std::shared_ptr<FieldStore> store_;
   const std::uint64_t state_;

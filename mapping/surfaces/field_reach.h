@@ -9,13 +9,13 @@
 
 namespace dhpmap {
 
-/// Which boxes may hold a surface that is nearest to a point of a cell (a cube), as far as one point of a surface near
-/// it tells. As the distance to a box is convex, it is nowhere less than its tangent in the cell's centre, and that
-/// less the distance to the point is concave, so its least is at a corner of the cell.
+/// Tests which boxes may contain the nearest surface to a point of a cell (a cube), given one known surface point. The
+/// distance to a box is convex, so it is never below its tangent at the cell's centre. The tangent minus the distance
+/// to the known point is concave, so its minimum is at a corner of the cell.
 class FieldReach {
  public:
-  /// `half_m`: half a side of the cell. `horizon_m`: from its centre; what is farther is nearest to no point.
-  /// `nearest`: the point of a surface, from the centre, along the map's axes.
+  /// `half_m`: half a side of the cell. `horizon_m`: surfaces farther than this from its centre are the nearest to no
+  /// point of the cell. `nearest`: the known surface point, relative to the centre, along the map's axes.
   FieldReach(double half_m, double horizon_m, const Eigen::Vector3f& nearest) : FieldReach(horizon_m) {
     for (std::size_t k = 0; k < known_.size(); ++k) {
       const auto sign = [k](unsigned axis) { return (k >> axis & 1u) != 0 ? 1.0f : -1.0f; };
@@ -23,7 +23,7 @@ class FieldReach {
       known_[k] = (offsets_[k] - nearest).norm();
     }
   }
-  /// Nothing is known but that.
+  /// Without a known surface point.
   explicit FieldReach(double horizon_m) : horizon_(static_cast<float>(horizon_m) + 1e-5f) {
     offsets_.fill(Eigen::Vector3f::Zero());
     known_.fill(std::numeric_limits<float>::infinity());
@@ -58,7 +58,7 @@ class FieldReach {
  private:
   Eigen::Vector3f middle_ = Eigen::Vector3f::Zero();
   std::array<Eigen::Vector3f, 8> offsets_;  ///< of the corners
-  std::array<float, 8> known_;              ///< that far from them there is a surface, all in one point
+  std::array<float, 8> known_;              ///< distances of the known surface point from the corners
   float horizon_;
 };
 

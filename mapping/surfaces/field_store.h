@@ -17,10 +17,10 @@
 
 namespace dhpmap {
 
-/// The near fields of a map, from state to state: one serves until something comes nearer to it than what it holds, or
-/// some of that goes. What goes of others is no loss: what it holds was as near.
-/// States have numbers, in the order in which they were first asked about. Thread-safe: nobody waits while another
-/// compares a field with what has changed or frees it, only for half of them to be chosen where there are too many.
+/// The near fields of a map over its states. A field stays valid until a surface appears nearer than its triangles, or
+/// one of its triangles is removed. Removal of other surfaces does not matter, because its triangles were as near.
+/// States are numbered in the order of their first query. Thread-safe. Threads do not wait while another compares a
+/// field with changes or frees it; only the choice of the half to evict, if there are too many, holds the mutex.
 class FieldStore {
  public:
   explicit FieldStore(std::shared_ptr<SurfaceLedger> ledger) : ledger_(std::move(ledger)) {}
@@ -30,12 +30,12 @@ class FieldStore {
 
   /// The first state.
   static constexpr std::uint64_t kFirst = 0;
-  /// The number of a state that differs from `before` in these. Nothing if another came after that.
+  /// The number of a new state that differs from `before` by `changed`. Nothing if `before` already has a successor.
   std::optional<std::uint64_t> Append(std::uint64_t before, std::vector<SurfaceChange> changed) DHPMAP_EXCLUDES(mutex_);
 
-  /// Null: there is none that is right in that state.
+  /// Null: no stored field is valid in that state.
   std::shared_ptr<const NearField> Find(BlockIndex block, std::uint64_t state) DHPMAP_EXCLUDES(mutex_);
-  /// Keeps a field made of a state; those not asked for longest go if there are too many.
+  /// Stores a field that was computed for a state. If there are too many, the least recently used are evicted.
   void Put(BlockIndex block, std::uint64_t state, std::shared_ptr<const NearField> field) DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] const std::shared_ptr<SurfaceLedger>& ledger() const { return ledger_; }
@@ -44,15 +44,15 @@ class FieldStore {
  private:
   struct Entry {
     std::shared_ptr<const NearField> field;
-    std::uint64_t made = 0, checked = 0;  ///< right in the states from one to the other
+    std::uint64_t made = 0, checked = 0;  ///< valid in the states from `made` to `checked`
     std::uint64_t last_used = 0;
   };
   using Changes = std::shared_ptr<const std::vector<SurfaceChange>>;
   using Fields = std::vector<std::shared_ptr<const NearField>>;
-  /// What has changed from a state an entry is right in to a later one; nothing if that is forgotten.
+  /// The changes from a state in which an entry is valid to a later state; nothing if they are no longer stored.
   [[nodiscard]] std::optional<std::vector<Changes>> ChangesSince(const Entry& entry, std::uint64_t state) const
       DHPMAP_REQUIRES(mutex_);
-  /// Leaves what goes to the caller, to be freed without the mutex.
+  /// Moves the evicted fields to `dropped`, which the caller frees without the mutex.
   void DropOldest(Fields& dropped) DHPMAP_REQUIRES(mutex_);
 
   const std::shared_ptr<SurfaceLedger> ledger_;

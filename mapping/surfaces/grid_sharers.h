@@ -13,11 +13,11 @@
 
 namespace dhpmap {
 
-/// Which submaps of a state share the map's grid (IsExclusive) and are not absent, tile by tile: what their surfaces
-/// depend on beside their own voxels. Refers to the state. Immutable, thread-safe.
+/// The submaps of a state that share the map's grid (IsExclusive) and are not absent, tile by tile. The surface of each
+/// also depends on the voxels of the others. Refers to the state. Immutable, thread-safe.
 class GridSharers {
  public:
-  /// Who has something in the 27 tiles around one, and itself.
+  /// The submaps with tiles among the 27 tiles around and including one.
   struct Around {
     struct Holder {
       std::uint32_t where = 0;  ///< of the 27, x fastest
@@ -27,21 +27,21 @@ class GridSharers {
     };
     std::vector<Holder> holders;  ///< by where and submap
 
-    /// Whether all but the submap itself are the same in another.
+    /// Whether both have the same holders, except the submap itself.
     [[nodiscard]] bool IsAlikeFor(SubmapId submap, const Around& other) const;
   };
 
-  /// `before`: of an earlier state of the map, though that be gone; null: there is none. With it costs a look at each
-  /// submap, one at each tile of those that are others than they were, and, where any of these changed, a copy of some
-  /// bytes a tile.
+  /// `before`: of an earlier state of the map, which need not exist any more; null: there is none. With `before` the
+  /// cost is a look at each submap and at each tile of the changed submaps; if tiles have changed, also a copy of some
+  /// bytes per tile.
   GridSharers(const MapSnapshot& state, const GridSharers* before);
 
   [[nodiscard]] static bool Takes(const MapSnapshot& state, const Submap& submap);
-  /// Null where nobody has anything.
+  /// Null: no submap has a tile there.
   [[nodiscard]] const std::shared_ptr<const Around>& AroundOf(TileIndex tile) const;
   /// The others around a tile of a submap.
   [[nodiscard]] std::vector<TilePlace::Sharer> SharersOf(SubmapId submap, TileIndex tile) const;
-  /// Whether another one knows of the same submaps with the same tiles: then all around is alike, too.
+  /// Whether both have the same submaps with the same tiles, and so the same neighbourhoods.
   [[nodiscard]] bool IsSameAs(const GridSharers& other) const { return tiles_ == other.tiles_; }
 
  private:
@@ -50,10 +50,10 @@ class GridSharers {
     std::uint64_t part_id = 0;
     bool operator==(const TilePart&) const = default;
   };
-  /// A submap that takes part, and its tiles by ascending index.
+  /// A submap on the grid, and its tiles by ascending index.
   struct Sharing {
     SubmapId id;
-    std::weak_ptr<const Submap> submap;  ///< tells it from all others, though it be gone
+    std::weak_ptr<const Submap> submap;  ///< identifies it, even after its end
     std::shared_ptr<const std::vector<TilePart>> parts;
   };
   struct Tile {
@@ -62,18 +62,18 @@ class GridSharers {
     std::shared_ptr<const Around> around;
   };
   struct Tiles {
-    std::vector<Tile> tiles;      ///< those that nobody has anything in any longer are left empty
+    std::vector<Tile> tiles;      ///< tiles without holders stay as empty entries
     IndexMap<TileIndex> numbers;  ///< position in tiles
     [[nodiscard]] const Tile* Find(TileIndex tile) const {
       const std::uint32_t number = numbers.Find(tile);
       return number == IndexMap<TileIndex>::kNone ? nullptr : &tiles[number];
     }
   };
-  /// What of a tile is another's, or no longer there.
+  /// A submap's changed or removed tile.
   struct Change {
     TileIndex tile;
     SubmapId submap;
-    std::uint64_t part_id = 0;  ///< 0: it has nothing there any longer
+    std::uint64_t part_id = 0;  ///< 0: it was removed
   };
   static std::vector<TilePart> PartsOf(const Submap& submap);
   static void AddChanges(SubmapId id, const std::vector<TilePart>& then, const std::vector<TilePart>& now,

@@ -16,53 +16,53 @@
 
 namespace dhpmap {
 
-/// The few triangles that matter to each place of one cell (a block of a map's grid), so that nobody need search for
-/// them: cubes down to half a voxel, each with a list of which, for every point of the cube, one is no farther than the
-/// nearest of the map and the tolerance; near surfaces, where side and direction turn on it, the nearest itself. Holds
-/// copies in the map's axes, and no part of a state, so that it serves all states in which nothing near has changed.
-/// Immutable, thread-safe.
+/// The nearest triangles for each place of one cell (a block of a map's grid), so that queries need no search. The cell
+/// is divided into cubes down to half a voxel, each with a short list of triangles. For every point of the cube, the
+/// list has a triangle that is at most the tolerance farther than the map's nearest one; near surfaces, where side and
+/// direction depend on it, the nearest triangle itself. Holds copies in the map's axes and no part of a state, so it is
+/// valid for all states in which nothing near has changed. Immutable, thread-safe.
 class NearField {
  public:
-  /// Distances are too long by no more than this, and no longer than kShare of themselves.
+  /// Distances are overestimated by at most this, and by at most the fraction kShare.
   static constexpr double kTolerance_vox = 0.4, kShare = 0.08;
-  /// Of a cell farther from all surfaces nothing is known but that.
+  /// For a cell farther than this from all surfaces, only this fact is known.
   static constexpr double kReach_m = 3.3;
 
-  /// Of what is nearest to a point.
+  /// The nearest surface to a point.
   struct Nearest {
     Eigen::Vector3f away;    ///< from the surface to the point, the map's axes
-    Eigen::Vector3f normal;  ///< of the surface at its nearest point, to the front; of any length but 0
+    Eigen::Vector3f normal;  ///< of the surface at its nearest point, to the front; of any length except 0
     bool is_behind = false;
-    bool is_across = false;    ///< from the face, rather than from an edge or a corner of it
+    bool is_across = false;    ///< the nearest point is on a face, not on an edge or a corner
     std::uint32_t submap = 0;  ///< position in submaps()
   };
   /// The triangles for a place.
   struct List {
-    std::uint32_t first = 0, count = 0;  ///< none: not known
+    std::uint32_t first = 0, count = 0;  ///< empty: unknown
     bool is_side_known = true;           ///< else is_behind may be wrong
-    bool may_end = false;                ///< some surface may end where one of its points has its nearest
+    bool may_end = false;                ///< the nearest point of some place may be on the border of a surface
   };
 
   [[nodiscard]] const Eigen::Vector3d& centre_m() const { return centre_m_; }
   /// Whether all surfaces are farther than kReach_m from each point.
   [[nodiscard]] bool is_far() const { return is_far_; }
-  /// What lies farther than this from the centre is nearest to no point.
+  /// A surface farther than this from the centre is the nearest to no point of the cell.
   [[nodiscard]] double horizon_m() const { return horizon_m_; }
-  /// Where else a surface would have to be to be nearest to one of its points; of the frame at the centre.
+  /// The region in which another surface could be the nearest to a point of the cell; relative to the centre.
   [[nodiscard]] FieldReach Reach() const {
     return is_far_ ? FieldReach(horizon_m_) : FieldReach(double{half_}, horizon_m_, nearest_);
   }
-  /// Those of what it holds, and of what else is nearest to any of its points.
+  /// The submaps of its triangles, and of other surfaces that are the nearest to one of its points.
   [[nodiscard]] const std::vector<SubmapId>& submaps() const { return submaps_; }
-  /// Which others must be there for what it holds of one of them to be (TriangleTree::NeededBy).
+  /// The other submaps that the triangles of the submap at this position need (TriangleTree::NeededBy).
   [[nodiscard]] std::span<const SubmapId> needed(std::uint32_t position) const { return needed_[position]; }
   [[nodiscard]] std::size_t MemoryBytes() const;
   [[nodiscard]] std::size_t num_triangles() const { return triangles_.size(); }
 
-  // Of a point of the cell, from its centre, in steps: what the next one will look at may be fetched before. None if
-  // is_far().
+  // Lookup of a point, relative to the cell's centre, in steps, so that the data of the next step can be prefetched.
+  // Not if is_far().
 
-  /// Which of the smallest cubes that is.
+  /// The smallest cube that contains the point.
   [[nodiscard]] std::uint32_t CubeAt(const Eigen::Vector3f& p) const {
     return CodeOf(p[0]) | CodeOf(p[1]) << 1 | CodeOf(p[2]) << 2;
   }
@@ -86,8 +86,8 @@ class NearField {
 
  private:
   friend class NearFieldMaker;
-  // A leaf: bit 31, whether the side is unsure, the length of its list in 7 bits, whether surfaces may end there, where
-  // the list begins in 22. Else a node.
+  // A leaf: bit 31 set, one bit for an unsure side, the length of its list in 7 bits, one bit for may_end, the start of
+  // the list in 22. Without bit 31: a node.
   static constexpr std::uint32_t kLeaf = 1u << 31, kUnsure = 1u << 30, kCountShift = 23, kMayEnd = 1u << 22,
                                  kMostListed = 1u << 22, kMostInList = 127;
   static constexpr int kLevels = 4;  ///< of eight children each: cubes down to a sixteenth of the cell
@@ -123,8 +123,8 @@ class NearField {
   std::vector<std::array<std::uint32_t, 8>> nodes_;
   std::vector<std::uint16_t> lists_;  ///< of triangles
   std::vector<Triangle> triangles_;
-  std::vector<SubmapId> submaps_;              ///< one may come several times,
-  std::vector<std::vector<SubmapId>> needed_;  ///< with what its triangles need
+  std::vector<SubmapId> submaps_;              ///< may repeat an id,
+  std::vector<std::vector<SubmapId>> needed_;  ///< with different needs of its triangles
   std::size_t counted_bytes_ = 0;              ///< in the ledger
   const std::shared_ptr<SurfaceLedger> ledger_;
 };

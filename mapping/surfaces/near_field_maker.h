@@ -16,15 +16,15 @@
 
 namespace dhpmap {
 
-/// Makes near fields. Keeps its scratch memory: belongs to one thread. A triangle is left out of a cube if another is
-/// nearer, or not much farther, at all its points: as the distance to a triangle is convex, it is nowhere less than its
-/// tangent in the cube's middle, and that less the distance to the other is concave, so its least is at one of the
-/// eight corners.
+/// Computes near fields. Reuses its scratch memory: one owner, not thread-safe. A triangle is left out of a cube if
+/// another one is nearer, or not much farther, at all points of the cube. The distance to a triangle is convex, so it
+/// is never below its tangent at the cube's centre. The tangent minus the distance to the other triangle is concave, so
+/// its minimum is at one of the eight corners.
 class NearFieldMaker {
  public:
   explicit NearFieldMaker(const MapSurfaces& surfaces) : surfaces_(surfaces) {}
 
-  /// Null: too much is near by.
+  /// Null: too many triangles are near.
   [[nodiscard]] std::shared_ptr<const NearField> Make(BlockIndex block, std::shared_ptr<SurfaceLedger> ledger);
 
  private:
@@ -37,7 +37,7 @@ class NearFieldMaker {
     void Clear();
     void Add(const TriangleCorners& triangle, std::uint32_t id);
   };
-  /// Distances of eight candidates from the cube's middle, and how these grow with the place.
+  /// Distances of eight candidates from the cube's centre, and their gradients.
   struct Tangents {
     alignas(32) float distance[kLanes];  ///< infinite: there is none
     alignas(32) float slope[3][kLanes];
@@ -56,7 +56,7 @@ class NearFieldMaker {
   void DropFarther(const AtCorners& other, float half, float slack);
   [[nodiscard]] std::size_t NumAlive() const;
   void Compact(const Pool& from, Pool& to) const;
-  /// A leaf while the field is made: what is listed, and what is nearest to any of its points.
+  /// A leaf during construction: its list, and the triangles that are nearest to one of its points.
   struct Leaf {
     std::uint32_t first = 0, count = 0;  ///< in the field's lists
     bool is_unsure = false;
@@ -77,13 +77,13 @@ class NearFieldMaker {
   std::vector<std::array<std::uint32_t, 8>> nodes_;  ///< other nodes, or the number of a leaf with NearField::kLeaf
   std::vector<Leaf> leaves_;
   std::vector<std::uint32_t> exact_;    ///< candidates, leaf by leaf
-  std::vector<bool> may_end_;           ///< by candidate that is in exact_: some surface ends on its border, or may
+  std::vector<bool> may_end_;           ///< by candidate in exact_: a surface ends, or may end, on its border
   std::vector<std::uint32_t> numbers_;  ///< of the submaps, by candidate
-  std::vector<std::span<const SubmapId>> needed_;  ///< which others each needs
+  std::vector<std::span<const SubmapId>> needed_;  ///< the other submaps that each candidate needs
   std::vector<Tangents> tangents_;
   std::vector<std::uint8_t> alive_, saved_, picked_, front_, back_;  ///< a bit a lane
   std::vector<std::uint16_t> kept_;                                  ///< by candidate
-  std::vector<std::uint32_t> alone_;  ///< where the list of one triangle alone is, by triangle
+  std::vector<std::uint32_t> alone_;  ///< by triangle, position of the list that has only this triangle
   std::vector<std::pair<float, std::uint32_t>> listed_;
   float most_tolerance_ = 0;
   bool has_failed_ = false;

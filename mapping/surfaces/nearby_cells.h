@@ -29,14 +29,14 @@ struct NearbyTile {
   Eigen::AlignedBox3f box;   ///< around the tile's surface, in its frame
 };
 
-/// What is nearest to the points of one cell.
+/// The surfaces that may be the nearest to points of one cell.
 struct NearbyCell {
   Eigen::Vector3d centre_m;  ///< map frame
-  float complete_m;          ///< every surface that is no farther from the centre is in one of the tiles
+  float complete_m;          ///< every surface up to this distance from the centre is in one of the tiles
   CellSight sight;
   std::vector<NearbyTile> tiles;                    ///< the nearest first
-  mutable std::atomic<std::uint64_t> last_used{0};  ///< by the ledger's clock, or a little before
-  /// Its own, which never changes; null: nobody has asked.
+  mutable std::atomic<std::uint64_t> last_used{0};  ///< by the ledger's clock, or a little earlier
+  /// Owned; constant once computed. Null: not computed yet.
   mutable std::atomic<const UnseenInside*> unseen_inside{nullptr};
 
   NearbyCell() = default;
@@ -51,26 +51,27 @@ struct NearbyCell {
   }
 };
 
-/// What a state of a map shows of a block of its grid (LookOf).
+/// Access to the observations of a state of a map in a block of its grid (LookOf).
 struct StateLook {
   std::function<CellSight(BlockIndex)> sight;
   std::function<std::vector<UnseenInside::Thing>(BlockIndex)> things;  ///< ThingsAround
 };
 
-/// The cells of one state of a map that are asked about, each made once it pays. Thread-safe; nobody waits.
+/// The cached cells of one state of a map. A cell is computed once it has been requested often enough to pay off.
+/// Thread-safe; lookups do not wait.
 class NearbyCells : public CellGrid<NearbyCell> {
  public:
-  /// Those of the state before, and what has become of what they know.
+  /// The cells of the previous state, and how their submaps and tiles correspond to those of this state.
   struct Earlier {
     static constexpr std::uint32_t kGone = 0xFFFFFFFFu;
     struct Part {
-      std::uint32_t number = kGone;      ///< what a submap's number is now; kGone: it is not there, or elsewhere
-      bool is_same = false;              ///< all tiles are where they were
-      std::vector<std::uint32_t> tiles;  ///< else by position then, that now; kGone: another surface, or none
+      std::uint32_t number = kGone;      ///< present number of the submap; kGone: it was removed or moved
+      bool is_same = false;              ///< all tiles have the same positions
+      std::vector<std::uint32_t> tiles;  ///< else by earlier position the present one; kGone: another surface, or none
     };
     std::shared_ptr<const NearbyCells> cells;  ///< of the same voxel size
-    std::vector<Part> parts;                   ///< by number then
-    std::vector<Eigen::AlignedBox3d> new_m;    ///< around all surfaces that were not there, in the map frame
+    std::vector<Part> parts;                   ///< by earlier number
+    std::vector<Eigen::AlignedBox3d> new_m;    ///< around all new surfaces, in the map frame
   };
 
   /// `earlier`: null, if there is none.
@@ -80,19 +81,19 @@ class NearbyCells : public CellGrid<NearbyCell> {
         has_earlier_(earlier != nullptr),
         earlier_(std::move(earlier)) {}
 
-  /// The cell at a point that is kept in the slot, from the state before, if it had one and nothing near it has changed
+  /// Copies the cell at a point from the previous state into the slot, if there is one and nothing near it has changed
   /// since; else null. `look`: of this state.
   const NearbyCell* TakeOver(const StateLook& look, Slot& slot, const Eigen::Vector3d& p_map) const;
-  /// What is kept of the cell at a point, also if that is taken over now; null: nothing.
+  /// The cached cell at a point, taken over from the previous state if necessary; null: none.
   [[nodiscard]] const NearbyCell* FindOrTakeOver(const StateLook& look, const Eigen::Vector3d& p_map) const;
-  /// Keeps it in the cell at a point, if there is one, and that has none.
+  /// Stores `unseen` in the cell at a point, if there is a cell without one.
   void Keep(const Eigen::Vector3d& p_map, std::unique_ptr<const UnseenInside> unseen) const;
-  /// From here on nothing is taken over: a later state comes after this one.
+  /// Ends taking over: a later state has followed this one.
   void LeaveEarlier() const DHPMAP_EXCLUDES(mutex_);
 
-  /// Whether, by the ledger's clock, it is time to say again that what the cell refers to is used.
+  /// Whether, by the ledger's clock, the tiles of the cell should be marked as used again.
   [[nodiscard]] bool IsMarkDue(const NearbyCell& cell) const {
-    constexpr std::uint64_t kStep = 16;  // what is asked of a map in the meantime makes little difference
+    constexpr std::uint64_t kStep = 16;  // coarse enough to be cheap; eviction needs no exact times
     const std::uint64_t now = ledger().time.load(std::memory_order_relaxed);
     if (now < cell.last_used.load(std::memory_order_relaxed) + kStep) return false;
     cell.last_used.store(now, std::memory_order_relaxed);
@@ -100,7 +101,7 @@ class NearbyCells : public CellGrid<NearbyCell> {
   }
 
  private:
-  static constexpr std::uintptr_t kEnough = 3;  // times asked for: then to make it costs no more than was spent
+  static constexpr std::uintptr_t kEnough = 3;  // requests: computing the cell then costs no more than they did
 
   [[nodiscard]] std::shared_ptr<const Earlier> FindEarlier() const DHPMAP_EXCLUDES(mutex_);
 

@@ -8,11 +8,11 @@
 
 namespace dhpmap {
 
-/// What the surfaces of a cache take, and its clock. Thread-safe.
+/// Memory of a cache's surfaces, and the cache's clock. Thread-safe.
 struct SurfaceLedger {
   std::atomic<std::size_t> bytes{0};       ///< of surfaces
-  std::atomic<std::size_t> cell_bytes{0};  ///< of what is known of cells
-  /// For the near fields of one map. Not changed while others look.
+  std::atomic<std::size_t> cell_bytes{0};  ///< of cached cells
+  /// For the near fields of one map. Constant during concurrent reads.
   std::size_t most_field_bytes = std::numeric_limits<std::size_t>::max();
   std::atomic<std::uint64_t> time{1};
 };

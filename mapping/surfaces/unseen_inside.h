@@ -16,11 +16,11 @@ namespace dhpmap {
 
 class SubmapSurface;
 
-/// Which voxels of a block that nobody has seen are inside of something all the same, to who takes all of the map
-/// (QueryWorld::TakesAllAsItIs). Kept with what is near to the block (NearbyCell): as long as that is the same, and
-/// what may be inside of things there, so is this. Immutable.
+/// The unseen voxels of a block that are inside an object, for queries of the whole map (QueryWorld::TakesAllAsItIs).
+/// Stored with the surfaces near the block (NearbyCell). Valid as long as those surfaces, and the things that may
+/// contain voxels of the block, are the same. Immutable.
 struct UnseenInside {
-  /// A thing of which some of the block may be the inside.
+  /// A thing that may contain voxels of the block.
   struct Thing {
     SubmapId id;
     Transform T_submap_map;
@@ -29,23 +29,23 @@ struct UnseenInside {
   /// Voxels, by ascending linear index, up to `end`.
   struct Run {
     std::uint16_t end;
-    SubmapId whose;  ///< the nearest surface is
+    SubmapId whose;  ///< owner of the nearest surface
   };
-  double max_distance_m = 0;  ///< so far behind a surface at most
+  double max_distance_m = 0;  ///< the largest depth behind a surface that counts as inside
   FreeMask asked{}, inside{};
-  std::vector<Run> whose;  ///< of the voxels inside
+  std::vector<Run> whose;  ///< owners of the voxels inside
   std::vector<Thing> things;
 
-  /// Whose surface is nearest to a voxel inside.
+  /// The owner of the surface that is nearest to a voxel inside.
   [[nodiscard]] SubmapId WhoseAt(int linear) const;
-  /// Whether it tells of all of these voxels.
+  /// Whether this covers all voxels of `unseen` up to `distance_m`.
   [[nodiscard]] bool TellsOf(const FreeMask& unseen, double distance_m) const;
   [[nodiscard]] std::size_t MemoryBytes() const {
     return sizeof(*this) + whose.capacity() * sizeof(Run) + things.capacity() * sizeof(Thing);
   }
 };
 
-/// Whether those are the same things with the same surfaces at the same places.
+/// Whether both are the same things with the same surfaces at the same poses.
 bool AreSame(std::span<const UnseenInside::Thing> then, std::span<const UnseenInside::Thing> now);
 
 }  // namespace dhpmap

@@ -26,13 +26,13 @@ struct CoveredMatch {
   double iou;
 };
 
-/// A thing that lies flat on a larger one of another class has few points to itself: those of its segments count for
-/// the larger one, of which more was observed there (see CountOverlaps), in each frame anew, and it would be made in
-/// each anew. So where at least half of an unmatched segment's points hit one thing of another class, all its points
-/// that lie on a thing of its own class count for that: if they are half of it at least, and their IoU is above the
-/// threshold (tracking.iou_threshold), it matches. Best first, one to one; ties go to the smaller id, then to the
-/// earlier segment. Not to things in `taken`, which others show already, nor to absent ones. At most what CountOverlaps
-/// takes, twice; the same for any number of threads.
+/// Matches things that lie flat on a larger thing of another class. Their points count for the larger thing, of which
+/// more was observed there (see CountOverlaps), so each frame would create the flat thing anew. Therefore, if at least
+/// half of an unmatched segment's points hit one thing of another class, all its points that lie on a thing of its own
+/// class count for that thing. It matches if these are at least half of the points and their IoU is above
+/// tracking.iou_threshold. Best first, one to one; ties go to the smaller id, then to the earlier segment. Never
+/// matches things in `taken`, which other segments show, or absent things. Takes at most twice the time of
+/// CountOverlaps. The result does not depend on the number of threads.
 std::vector<CoveredMatch> MatchCovered(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                                        const std::vector<UnmatchedSegment>& unmatched, const OverlapTable& overlaps,
                                        const std::vector<SubmapId>& taken, const Map& map, ThreadPool& pool);

@@ -6,9 +6,9 @@
 
 namespace dhpmap {
 
-/// The background submap that frames mean by a class; null: none. Where it was seen: what somebody has moved or copied
-/// is not what is seen there now. What was made for the class comes first, then what was seen as it before somebody
-/// gave it another, then what somebody has given this one.
+/// The background submap to which a segment of this class belongs; null: none. Only a submap at the place where it was
+/// observed, not one that an edit has moved or cloned. Prefers the submap that was created for the class, then one that
+/// was observed as this class before an edit relabelled it, then one that an edit relabelled to this class.
 const Submap* FindStuff(const Map& map, ClassId class_id);
 
 }  // namespace dhpmap

@@ -8,8 +8,7 @@
 
 namespace dhpmap {
 
-/// What `track_id` means in a session; null: nothing. Where nobody has noted whose track a thing is, it is any
-/// session's.
+/// The submap with this track id in a session; null: none. A track id without a recorded session matches every session.
 const Submap* FindTrack(const Map& map, const std::string& session, std::uint32_t track_id);
 
 }  // namespace dhpmap

@@ -12,21 +12,22 @@
 
 namespace dhpmap {
 
-// Things that are two (ObjectPair::AreTwo), as somebody has split them or other frames show, and that a frame shows as
-// one; likewise things that somebody has split from a background, in segments of its class. To frames with persistent
-// ids only those are two of which somebody has said so.
+// Segments that show two things as one, although they are two (ObjectPair::AreTwo): an edit has split them, or other
+// frames show them apart. The same for things that an edit has split from a background, in segments of that class. For
+// frames with persistent ids only edits count.
 
 /// See Tracker::CutAtSplits.
 void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool& pool,
                          std::vector<SegmentBundles>& segments);
 
-/// A part of a segment that lies most on what is another thing than the one that it, or another part of the segment,
-/// goes to goes there instead; so does a segment in one part if more than half of its points lie there. Not to what has
-/// a grid of its own. Segments and overlaps are those of Tracker::Assign.
+/// Reassigns parts of segments. If most of a part lies on another of two such things than the one to which it, or
+/// another part of its segment, is assigned, it is assigned to that thing; so is a segment in one part if more than
+/// half of its points lie there. Never to a submap with its own grid. Segments and overlaps are those of
+/// Tracker::Assign.
 void HandToSplitParts(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                       const OverlapTable& overlaps, const Map& map, std::vector<Assignment>& assignments);
 
-/// Whether somebody has split things from a background.
+/// Whether an edit has split things from a background.
 bool HasSplitBackground(const Map& map);
 
 }  // namespace dhpmap

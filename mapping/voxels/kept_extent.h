@@ -9,9 +9,9 @@
 
 namespace dhpmap {
 
-/// How far the observed voxels of a table of blocks reach, once somebody has looked: a wall's take a millisecond, and
-/// each state of a map asks again. A copy has it, too, until it is written to. Whoever reads a table may keep what was
-/// found, several at once, as all find the same; to forget it is for who writes. Thread-compatible beyond that.
+/// A cache for the bounding sphere of the observed voxels of a block table, which every state of a map needs; computing
+/// it for a wall takes a millisecond. A copied table keeps it until it is written to. Several readers of a table may
+/// call Keep concurrently, because all have the same values. Only the writer calls Forget. Otherwise thread-compatible.
 class KeptExtent {
  public:
   /// Centre (x, y, z) and squared radius of the sphere, in voxels; a negative radius: none is observed.

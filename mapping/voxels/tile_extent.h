@@ -11,7 +11,8 @@
 
 namespace dhpmap {
 
-/// Around the observed voxels of a tile, or of some of its blocks: half-open, in voxels from the tile's lowest corner.
+/// Bounds of the observed voxels of a tile, or of some of its blocks: half-open, in voxels from the tile's lowest
+/// corner.
 struct TileExtent {
   std::array<std::uint8_t, 3> low{}, high{};  ///< all 0: none is observed
 
@@ -20,7 +21,7 @@ struct TileExtent {
 
   /// 43 bits, never 0; see storage/FORMAT.md.
   [[nodiscard]] std::uint64_t Code() const;
-  /// Nothing for 0, which says that it is not known, and for what is no code.
+  /// Nothing for 0, which means unknown, and for invalid codes.
   static std::optional<TileExtent> FromCode(std::uint64_t code);
 
   constexpr bool operator==(const TileExtent&) const = default;
@@ -29,8 +30,8 @@ struct TileExtent {
 /// Of blocks of one tile.
 TileExtent ExtentOf(std::span<const BlockEntry> blocks);
 
-/// The extent of a tile, once somebody has looked. Whoever reads the tile may keep what was found, several at once, as
-/// all find the same; to forget it is for who writes. Thread-compatible beyond that.
+/// A cache for the extent of a tile. Several readers of the tile may call Keep concurrently, because all have the same
+/// extent. Only the writer calls Forget. Otherwise thread-compatible.
 class KeptTileExtent {
  public:
   explicit KeptTileExtent(std::uint64_t code = 0) : code_(code) {}
@@ -40,9 +41,9 @@ class KeptTileExtent {
     return *this;
   }
 
-  /// Nothing if nobody has.
+  /// Nothing if nothing is cached.
   [[nodiscard]] std::optional<TileExtent> Find() const { return TileExtent::FromCode(code()); }
-  /// Likewise, 0.
+  /// 0 if nothing is cached.
   [[nodiscard]] std::uint64_t code() const { return code_.load(std::memory_order_relaxed); }
   void Keep(const TileExtent& extent) const { code_.store(extent.Code(), std::memory_order_relaxed); }
   void Forget() { code_.store(0, std::memory_order_relaxed); }

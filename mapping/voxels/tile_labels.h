@@ -13,13 +13,13 @@
 
 namespace dhpmap {
 
-/// What the voxels of a tile have seen, summed up: LabelTotals without the classes that nobody has seen.
+/// The label counts of a tile's voxels, summed up: LabelTotals without the classes that have no count.
 struct TileLabels {
   std::vector<std::pair<std::uint32_t, std::uint64_t>> classes;  ///< counts, by ascending id
   std::uint64_t own = 0, instances = 0;                          ///< see LabelTotals
 
   void AddTo(LabelTotals& totals) const;
-  /// Whether it is no more than what TilePage counts for a tile on the disk.
+  /// Whether it fits into the memory that TilePage counts for a tile on disk.
   [[nodiscard]] bool IsShort() const { return classes.size() <= 8; }
   bool operator==(const TileLabels&) const = default;
 };
@@ -27,8 +27,8 @@ struct TileLabels {
 /// Of blocks of one tile.
 TileLabels LabelsOf(std::span<const BlockEntry> blocks);
 
-/// The labels of a tile, once somebody has counted. Whoever reads the tile may keep what was found, several at once, as
-/// all find the same; to forget it is for who writes. Thread-compatible beyond that.
+/// A cache for the label counts of a tile. Several readers of the tile may call Keep concurrently, because all have the
+/// same counts. Only the writer calls Forget. Otherwise thread-compatible.
 class KeptTileLabels {
  public:
   KeptTileLabels() = default;
@@ -40,7 +40,7 @@ class KeptTileLabels {
   }
   ~KeptTileLabels() { Forget(); }
 
-  /// Null if nobody has.
+  /// Null if nothing is cached.
   [[nodiscard]] const TileLabels* Find() const { return kept_.load(std::memory_order_acquire); }
   void Keep(TileLabels labels) const;
   void Forget() {

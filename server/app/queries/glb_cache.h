@@ -20,15 +20,14 @@ struct GlbFile {
   std::string content_tag;  ///< the same for the same bytes
 };
 
-/// Files by the name of what they show (NameOfGlb), so that who asks again, or looks at the same, waits for nobody to
-/// make it. A state that shows something else has another name: nothing is ever out of date, it is only not asked for
-/// any more, and those not asked for longest go. Thread-safe.
+/// A cache of GLB files by the name of their content (GlbPlan::name), so that repeated requests need no new file. Other
+/// content has another name, so entries never become stale; the least recently used are evicted. Thread-safe.
 class GlbCache {
  public:
-  /// What the files may take in all. One that would take more than half of it is not kept.
+  /// Limit for the size of all files. A file above half of it is not stored.
   explicit GlbCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
 
-  /// Null: it is not there.
+  /// Null: not cached.
   std::shared_ptr<const GlbFile> Find(std::uint64_t name) DHPMAP_EXCLUDES(mutex_);
   /// `file`: not null.
   void Put(std::uint64_t name, std::shared_ptr<const GlbFile> file) DHPMAP_EXCLUDES(mutex_);
@@ -39,7 +38,7 @@ class GlbCache {
 
   const std::size_t limit_bytes_;
   mutable Mutex mutex_;
-  std::list<Entry> entries_ DHPMAP_GUARDED_BY(mutex_);  ///< that asked for last in front
+  std::list<Entry> entries_ DHPMAP_GUARDED_BY(mutex_);  ///< the last used first
   std::unordered_map<std::uint64_t, std::list<Entry>::iterator> by_name_ DHPMAP_GUARDED_BY(mutex_);
   std::size_t bytes_ DHPMAP_GUARDED_BY(mutex_) = 0;
   CountedBytes counted_ DHPMAP_GUARDED_BY(mutex_){MemoryKind::kMeshing};
