@@ -46,15 +46,23 @@ void TellReload(const net::TlsContext& tls, const Status& reloaded) {
   LogError("TLS: goes on with the certificate of " + tls.Describe() + ": " + reloaded.ToString());
 }
 
-/// With TLS, SIGHUP reads its files again, as service managers have it; without, it ends the server.
+/// What logrotate has renamed is left, and what TLS reads is read again.
+void Refresh(net::TlsContext* tls, auth::Gate& gate) {
+  if (tls != nullptr) TellReload(*tls, tls->Reload());
+  const Status reopened = gate.ReopenAudit();
+  if (!reopened.ok()) LogError("the audit log goes on in its old file: " + reopened.ToString());
+}
+
+/// With TLS or an audit log, SIGHUP reads or opens its files again, as service managers have it; without either, it
+/// ends the server.
 /// From here on a second SIGTERM or SIGINT ends the process at once. A second SIGHUP does not: a terminal that is
 /// closed sends more than one.
-int WaitForSignal(const sigset_t& signals, net::TlsContext* tls) {
+int WaitForSignal(const sigset_t& signals, net::TlsContext* tls, auth::Gate& gate) {
   int signal = 0;
   do {
-    if (signal == SIGHUP) TellReload(*tls, tls->Reload());
+    if (signal == SIGHUP) Refresh(tls, gate);
     sigwait(&signals, &signal);
-  } while (signal == SIGHUP && tls != nullptr);
+  } while (signal == SIGHUP && (tls != nullptr || gate.has_audit()));
   sigset_t impatient;
   sigemptyset(&impatient);
   sigaddset(&impatient, SIGTERM);
@@ -113,7 +121,7 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
               tls != nullptr ? "https" : "http", WithPort(config.http.address, gateway->port()).c_str());
   std::fflush(stdout);
 
-  const int signal = WaitForSignal(signals, tls.get());
+  const int signal = WaitForSignal(signals, tls.get(), *gate);
   LogInfo("got signal " + std::to_string(signal) + ": ending streams, storing what is fused");
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(config.shutdown_grace_s);
   grpc->Drain();

@@ -13,20 +13,6 @@
 namespace dhpmap {
 namespace {
 
-/// "a, b" -> {"a", "b"}.
-std::vector<std::string> SplitByComma(const std::string& text) {
-  std::vector<std::string> parts;
-  std::string part;
-  for (const char c : text + ",") {
-    if (c == ',') {
-      if (!part.empty()) parts.push_back(std::exchange(part, {}));
-    } else if (c != ' ') {
-      part += c;
-    }
-  }
-  return parts;
-}
-
 /// Of a map's memory_bytes, what MemoryKind::kBlocks counts.
 std::int64_t CountedBlockBytes(const MapStats& stats) {
   return stats.num_tsdf_blocks_in_memory * static_cast<std::int64_t>(sizeof(TsdfBlock)) +
@@ -127,9 +113,17 @@ Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config) {
   const std::string file = KeyFileOf(config);
   LogInfo(file.empty() ? "without keys: whoever reaches a door may do everything" : "with the keys of " + file);
   if (file.empty()) return auth::Gate::Open();
-  return auth::Gate::WithKeys({.key_file = file, .audit_file = config.auth.audit, .on_fault = [](const Status& fault) {
-                                 LogError("keys stay as they were: " + fault.ToString());
-                               }});
+  return auth::Gate::WithKeys(
+      {.key_file = file,
+       .audit_file = config.auth.audit,
+       .is_audit_required = config.auth.audit_required,
+       .owners_file = config.db.empty() ? std::string() : config.db + ".owners",
+       .limits = {.maps = config.limits.principal_maps,
+                  .disk_bytes = static_cast<std::int64_t>(config.limits.principal_disk_mib) << 20,
+                  .inflight_fraction = config.limits.principal_inflight_percent / 100.0},
+       .on_fault = [](const Status& fault) {
+         LogError("keys or their log: it goes on with what it has: " + fault.ToString());
+       }});
 }
 
 Result<std::shared_ptr<net::TlsContext>> TlsOf(const ServerConfig& config) {
@@ -173,6 +167,7 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
           .inflight = std::move(inflight),
           .num_threads = config.http.num_threads,
           .allowed_hosts = SplitByComma(config.http.allowed_hosts),
+          .allowed_origins = SplitByComma(config.http.allowed_origins),
           .max_connections = config.http.max_connections,
           .idle_timeout_s = config.http.idle_timeout_s,
           .head_timeout_s = config.http.header_timeout_s};

@@ -161,7 +161,7 @@ inline constexpr ReasonRow kReasonTable[] = {
      "an author is named, or an edit is undone, that is not of who asks"},
     {"NOT_YOUR_SESSION", StatusCode::kPermissionDenied, "the key is not for this session"},
     {"OUT_OF_QUOTA", StatusCode::kResourceExhausted,
-     "who asks makes as many calls, or holds as many streams, as one may"},
+     "who asks makes as many calls, or has as many streams or maps, as one may"},
     {"TOO_MANY_LOGINS", StatusCode::kResourceExhausted, "too many wrong keys came from this address: try again later"},
     {"BAD_KEY_FILE", StatusCode::kFailedPrecondition, "the file of keys cannot be used"},
     {"BAD_KEY", StatusCode::kInvalidArgument, "a key to be made has a bad name, role, pattern or time"},

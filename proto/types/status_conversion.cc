@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "proto/types/status_conversion.h"
 
+#include <charconv>
+
 #include "google/rpc/error_details.pb.h"
 #include "mapping/base/utf8.h"
 
@@ -18,6 +20,15 @@ std::string MessageOf(const Status& status) {
   const std::size_t more = status.violations().size() - 1;
   if (more > 0) message += ", and " + std::to_string(more) + " more";
   return message;
+}
+
+/// Whole seconds, as both gRPC's clients and Retry-After have it; 0: none said.
+int RetryAfter_s(const Status& status) {
+  int seconds = 0;
+  for (const auto& [key, value] : status.metadata()) {
+    if (key == "retry_after_s") (void)std::from_chars(value.data(), value.data() + value.size(), seconds);
+  }
+  return seconds;
 }
 
 }  // namespace
@@ -41,6 +52,11 @@ google::rpc::Status ToProto(const Status& status) {
       field->set_description(ToValidUtf8(violation.description));
     }
     proto.add_details()->PackFrom(bad);
+  }
+  if (const int seconds = RetryAfter_s(status); seconds > 0) {
+    google::rpc::RetryInfo retry;
+    retry.mutable_retry_delay()->set_seconds(seconds);
+    proto.add_details()->PackFrom(retry);
   }
   return proto;
 }

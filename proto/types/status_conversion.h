@@ -10,7 +10,8 @@
 namespace dhpmap {
 
 /// The error as both doors send it: the reason as google.rpc.ErrorInfo of domain "dhpmap", the violations as
-/// google.rpc.BadRequest, the first also in the message. Replaces bytes that are not UTF-8 by '?' (messages may quote
+/// google.rpc.BadRequest, the first also in the message, and of the metadata
+/// `retry_after_s` also google.rpc.RetryInfo. Replaces bytes that are not UTF-8 by '?' (messages may quote
 /// clients).
 google::rpc::Status ToProto(const Status& status);
 

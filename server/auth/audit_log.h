@@ -37,15 +37,21 @@ class AuditLog {
   AuditLog(const AuditLog&) = delete;
   AuditLog& operator=(const AuditLog&) = delete;
 
-  /// UNAVAILABLE if the line could not be written.
+  /// UNAVAILABLE, reason NOT_STORED, if the line could not be written.
   Status Write(const AuditEntry& entry) DHPMAP_EXCLUDES(mutex_);
+  /// Writes on in what the path leads to now: the old file has been renamed. No line is lost or goes to both. Errors as
+  /// of Open: then it writes on in the old one.
+  Status Reopen() DHPMAP_EXCLUDES(mutex_);
 
  private:
-  AuditLog(int file, WallClock now_s) : file_(file), now_s_(std::move(now_s)) {}
+  AuditLog(std::string path, int file, WallClock now_s)
+      : path_(std::move(path)), now_s_(std::move(now_s)), file_(file) {}
 
-  const int file_;
+  const std::string path_;
   const WallClock now_s_;
   Mutex mutex_;
+  int file_ DHPMAP_GUARDED_BY(mutex_);
+  bool ends_within_a_line_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::int64_t second_ DHPMAP_GUARDED_BY(mutex_) = 0;
   int num_refusals_[2] DHPMAP_GUARDED_BY(mutex_) = {};  ///< in that second, of strangers and of known principals
   std::int64_t num_left_out_ DHPMAP_GUARDED_BY(mutex_) = 0;

@@ -24,7 +24,7 @@ Status CallRates::Count(std::string_view principal) {
   if (bucket.left < 1) {
     std::string text = "'";  // in steps: GCC 12 warns of "'" + std::string(...) for no reason
     text.append(principal).append("' calls more often than one may: try again later");
-    return ResourceExhausted(std::move(text)).WithReason("OUT_OF_QUOTA");
+    return ResourceExhausted(std::move(text)).WithReason("OUT_OF_QUOTA").WithMetadata("retry_after_s", "1");
   }
   bucket.left -= 1;
   return Status::Ok();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -20,7 +21,10 @@ struct CallLimits {
   double calls_per_s = 2000;
   double burst_calls = 4000;
   int streams = 64;
-  int feeds = 4;  ///< of the streams
+  int feeds = 4;                                     ///< of the streams
+  int maps = 100;                                    ///< that it has made
+  std::int64_t disk_bytes = std::int64_t{64} << 30;  ///< of these maps, as they are stored
+  double inflight_fraction = 0.5;                    ///< of the bytes that all may have in flight
 };
 
 /// How fast each principal calls: a bucket that fills with time. Thread-safe. Holds a bucket for each principal there

@@ -35,8 +35,10 @@ Gate::Gate(GateOptions options, bool has_keys)
       calls_(CallTable::OfLinkedServices()),
       local_(Local()),
       rates_(options_.limits, options_.passing_s),
+      failed_logins_(options_.passing_s),
       tickets_(options_.randomness),
       logins_(options_.randomness),
+      budgets_(options_.limits.inflight_fraction),
       streams_(options_.limits) {}
 
 std::shared_ptr<Gate> Gate::Open() { return std::shared_ptr<Gate>(new Gate(GateOptions{}, false)); }
@@ -47,6 +49,7 @@ Result<std::shared_ptr<Gate>> Gate::WithKeys(GateOptions options) {
   if (!gate->options_.audit_file.empty()) {
     DHPMAP_ASSIGN_OR_RETURN(gate->audit_, AuditLog::Open(gate->options_.audit_file, gate->options_.now_s));
   }
+  DHPMAP_ASSIGN_OR_RETURN(gate->owners_, MapOwners::Open(gate->options_.owners_file));
   if (gate->options_.look_s > 0) gate->looker_ = std::thread([&gate = *gate] { gate.LookAgainAndAgain(); });
   return gate;
 }
@@ -69,6 +72,16 @@ Result<PrincipalPtr> Gate::Authenticate(const std::vector<std::string_view>& aut
   return AuthenticateKey(KeyIn(authorizations.front()));
 }
 
+Result<PrincipalPtr> Gate::AuthenticateFrom(std::string_view address,
+                                            const std::vector<std::string_view>& authorizations) {
+  auto principal = Authenticate(authorizations);
+  // Of the others, who shows no key guesses none, and who shows an old one has had it.
+  if (!address.empty() && principal.status().reason() == Reason("BAD_CREDENTIAL")) {
+    DHPMAP_RETURN_IF_ERROR(failed_logins_.Count(address));
+  }
+  return principal;
+}
+
 Result<PrincipalPtr> Gate::AuthenticateKey(std::string_view key_text) const {
   if (!has_keys_) return local_;
   return Ring()->Find(key_text, options_.now_s());
@@ -88,8 +101,11 @@ Result<PrincipalPtr> Gate::AuthenticateLogin(std::string_view word) {
   return principal;
 }
 
-void Gate::Audit(const AuditEntry& entry) {
-  if (audit_ != nullptr) Tell(audit_->Write(entry));
+Status Gate::Audit(const AuditEntry& entry) {
+  if (audit_ == nullptr) return Status::Ok();
+  Status written = audit_->Write(entry);
+  Tell(written);
+  return options_.is_audit_required && entry.decision.ok() ? written : Status::Ok();
 }
 
 void Gate::Look() {

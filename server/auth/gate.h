@@ -13,18 +13,23 @@
 #include "server/auth/audit_log.h"
 #include "server/auth/call_limits.h"
 #include "server/auth/call_needs.h"
+#include "server/auth/caller_budgets.h"
+#include "server/auth/failed_logins.h"
 #include "server/auth/keys/key_file.h"
 #include "server/auth/keys/key_ring.h"
 #include "server/auth/keys/utc_text.h"
 #include "server/auth/live_streams.h"
 #include "server/auth/login_sessions.h"
+#include "server/auth/map_owners.h"
 #include "server/auth/tickets.h"
 
 namespace dhpmap::auth {
 
 struct GateOptions {
   std::string key_file;
-  std::string audit_file;  ///< empty: none is written
+  std::string audit_file;          ///< empty: none is written
+  bool is_audit_required = false;  ///< what cannot be written down is not done
+  std::string owners_file;         ///< see MapOwners; empty: they are forgotten with the process
   CallLimits limits;
   /// s between looks at the file and at what has expired; 0: only when Look is called.
   double look_s = 0.25;
@@ -56,6 +61,10 @@ class Gate {
   /// UNAUTHENTICATED, reason NO_CREDENTIAL, if there is none, and as of KeyRing::Find; INVALID_ARGUMENT, reason
   /// AMBIGUOUS_CREDENTIAL, if there are several. Without keys everybody is "local".
   [[nodiscard]] Result<PrincipalPtr> Authenticate(const std::vector<std::string_view>& authorizations) const;
+  /// The same of a caller at `address` (net::PeerKey; empty: none is known). Of wrong keys from one that has shown too
+  /// many, as of FailedLogins::Count in place of BAD_CREDENTIAL; a good one is let in all the same.
+  [[nodiscard]] Result<PrincipalPtr> AuthenticateFrom(std::string_view address,
+                                                      const std::vector<std::string_view>& authorizations);
   [[nodiscard]] Result<PrincipalPtr> AuthenticateKey(std::string_view key_text) const;
   /// Whether who was let in before is still.
   [[nodiscard]] Status CheckStill(const Principal& principal) const;
@@ -69,12 +78,25 @@ class Gate {
   /// Who asks may begin one call more. RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA.
   Status Count(const Principal& principal) { return has_keys_ ? rates_.Count(principal.name) : Status::Ok(); }
 
+  /// What the principal may have in flight of `all`, which counts there, too; without keys `all` itself. Lives as long
+  /// as the gate.
+  std::shared_ptr<ByteBudget> BudgetOf(const Principal& principal, const std::shared_ptr<ByteBudget>& all) {
+    return has_keys_ ? budgets_.Of(principal.name, all) : all;
+  }
+  [[nodiscard]] const CallLimits& limits() const { return options_.limits; }
+  /// Who has made which map; null without keys.
+  [[nodiscard]] MapOwners* owners() { return owners_.get(); }
+
   [[nodiscard]] Tickets& tickets() { return tickets_; }
   [[nodiscard]] LiveStreams& streams() { return streams_; }
 
   /// Writes down what was decided of a call that changes something, or of any that was refused. What cannot be written
-  /// is told as a fault, and goes on.
-  void Audit(const AuditEntry& entry) DHPMAP_EXCLUDES(mutex_);
+  /// is told as a fault, and goes on; where it is required, as of AuditLog::Write, and a call that was let in is
+  /// refused by that.
+  Status Audit(const AuditEntry& entry) DHPMAP_EXCLUDES(mutex_);
+  [[nodiscard]] bool has_audit() const { return audit_ != nullptr; }
+  /// See AuditLog::Reopen; OK where there is none.
+  Status ReopenAudit() { return audit_ != nullptr ? audit_->Reopen() : Status::Ok(); }
 
   /// Reads the file again if it has changed, and ends the streams of keys that are good no longer.
   void Look() DHPMAP_EXCLUDES(mutex_);
@@ -91,9 +113,12 @@ class Gate {
   const Result<CallTable> calls_;
   const PrincipalPtr local_;
   CallRates rates_;
+  FailedLogins failed_logins_;
   Tickets tickets_;
   LoginSessions logins_;
   std::unique_ptr<AuditLog> audit_;  ///< may be null
+  CallerBudgets budgets_;
+  std::unique_ptr<MapOwners> owners_;
   LiveStreams streams_;
 
   mutable Mutex mutex_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include "mapping/base/status.h"
@@ -20,18 +21,24 @@ inline Status TooManyBytes() {
 class ByteBudget {
  public:
   /// Shares of up to `free_bytes` are free of charge, so that small requests pass even when the budget is spent.
-  explicit ByteBudget(std::size_t limit_bytes, std::size_t free_bytes = 0)
-      : limit_bytes_(limit_bytes), free_bytes_(free_bytes) {}
+  /// What is taken of this is taken of `within`, too, unless it is null.
+  explicit ByteBudget(std::size_t limit_bytes, std::size_t free_bytes = 0, std::shared_ptr<ByteBudget> within = nullptr)
+      : limit_bytes_(limit_bytes), free_bytes_(free_bytes), within_(std::move(within)) {}
 
-  /// Takes nothing and returns false if that would exceed the limit.
+  /// Takes nothing and returns false if that would exceed a limit.
   bool TryTake(std::size_t bytes) {
     std::size_t used = used_bytes_.load();
     do {
       if (bytes > limit_bytes_ - used) return false;
     } while (!used_bytes_.compare_exchange_weak(used, used + bytes));
-    return true;
+    if (within_ == nullptr || within_->TryTake(bytes)) return true;
+    used_bytes_ -= bytes;
+    return false;
   }
-  void GiveBack(std::size_t bytes) { used_bytes_ -= bytes; }
+  void GiveBack(std::size_t bytes) {
+    if (within_ != nullptr) within_->GiveBack(bytes);
+    used_bytes_ -= bytes;
+  }
 
   [[nodiscard]] std::size_t limit_bytes() const { return limit_bytes_; }
   [[nodiscard]] std::size_t free_bytes() const { return free_bytes_; }
@@ -39,6 +46,7 @@ class ByteBudget {
 
  private:
   const std::size_t limit_bytes_, free_bytes_;
+  const std::shared_ptr<ByteBudget> within_;
   std::atomic<std::size_t> used_bytes_{0};  // never above the limit
 };
 

@@ -6,8 +6,10 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <type_traits>
+#include <utility>
 
 namespace dhpmap {
 namespace {
@@ -47,6 +49,18 @@ void CheckTls(const ServerConfig::Tls& tls, Status& bad) {
   }
 }
 
+/// As browsers send them, or none would ever match: "*" is none, and so is a port that goes without saying.
+void CheckOrigins(const std::string& origins, Status& bad) {
+  static const std::regex pattern(R"((http|https)://([a-z0-9._-]+|\[[0-9a-f:]+\])(:[1-9][0-9]{0,4})?)");
+  for (const std::string& origin : SplitByComma(origins)) {
+    const bool has_default_port = (origin.starts_with("http:") && origin.ends_with(":80")) ||
+                                  (origin.starts_with("https:") && origin.ends_with(":443"));
+    if (std::regex_match(origin, pattern) && !has_default_port) continue;
+    bad.AddViolation("http.allowed_origins",
+                     "'" + origin + "' is not an origin as browsers send it, such as https://fleet.example:8443");
+  }
+}
+
 template <typename Number>
 void CheckRange(const char* key, Number value, double least, double most, Status& bad) {
   const auto number = static_cast<double>(value);
@@ -70,6 +84,8 @@ Status ServerConfig::Validate() const {
   for (const FieldViolation& violation : exposure.violations()) {
     bad.AddViolation(violation.field, violation.description);
   }
+  CheckOrigins(http.allowed_origins, bad);
+  if (auth.audit_required && auth.audit.empty()) bad.AddViolation("auth.audit_required", "needs auth.audit");
   CheckTls(tls, bad);
   if (std::find(kLogLevels.begin(), kLogLevels.end(), log.level) == kLogLevels.end()) {
     bad.AddViolation("log.level", "'" + log.level + "' is not debug, info, warning, error or off");
@@ -79,6 +95,19 @@ Status ServerConfig::Validate() const {
     bad.AddViolation("map_defaults." + violation.field, violation.description);
   }
   return bad.violations().empty() ? Status::Ok() : bad;
+}
+
+std::vector<std::string> SplitByComma(const std::string& text) {
+  std::vector<std::string> parts;
+  std::string part;
+  for (const char c : text + ",") {
+    if (c == ',') {
+      if (!part.empty()) parts.push_back(std::exchange(part, {}));
+    } else if (c != ' ') {
+      part += c;
+    }
+  }
+  return parts;
 }
 
 std::string KeyFileOf(const ServerConfig& config) {

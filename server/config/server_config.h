@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "mapping/base/status.h"
 #include "mapping/map/map_config.h"
@@ -28,6 +30,7 @@ struct ServerConfig {
     int max_body_mib = 64;
     int num_threads = 1;
     std::string allowed_hosts;
+    std::string allowed_origins;
     int max_connections = 1000;
     double idle_timeout_s = 60;
     double header_timeout_s = 10;
@@ -35,6 +38,7 @@ struct ServerConfig {
   struct Auth {
     std::string keys;
     std::string audit;
+    bool audit_required = false;
   } auth;
   struct Tls {
     std::string cert, key, client_ca;
@@ -93,6 +97,9 @@ struct ServerConfig {
     int surface_mib = 512;
     int import_mib = 16'384;
     double import_idle_s = 30;
+    int principal_maps = 100;
+    int principal_disk_mib = 65'536;
+    int principal_inflight_percent = 50;
   } limits;
   double shutdown_grace_s = 2.0;
 
@@ -126,6 +133,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("http.num_threads", c.http.num_threads, 1, 256, "threads of the REST door");
   visit("http.allowed_hosts", c.http.allowed_hosts, 0, 0,
         "comma-separated Host names that are accepted besides the address and localhost");
+  visit("http.allowed_origins", c.http.allowed_origins, 0, 0,
+        "comma-separated origins (https://fleet.example) whose web pages may use the API");
   visit("http.max_connections", c.http.max_connections, 1, 1e6,
         "beyond it the longest idle connection is closed; if none is idle, 503");
   visit("http.idle_timeout_s", c.http.idle_timeout_s, 0.1, 86400,
@@ -134,6 +143,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("auth.keys", c.auth.keys, 0, 0,
         "file of keys, see `dhpmap keys`; empty = DB.keys if that is there, else no keys");
   visit("auth.audit", c.auth.audit, 0, 0, "file for who changed what and who was refused, with keys on; empty = off");
+  visit("auth.audit_required", c.auth.audit_required, 0, 0,
+        "refuse what changes something while auth.audit cannot be written");
   visit("tls.cert", c.tls.cert, 0, 0,
         "PEM file of the certificate chain of both doors; empty = no TLS; read again when it changes");
   visit("tls.key", c.tls.key, 0, 0, "PEM file of its private key, which other users must not be able to read");
@@ -194,6 +205,12 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "MiB of an imported map file; importing takes twice as much disk");
   visit("limits.import_idle_s", c.limits.import_idle_s, 0.1, 86400,
         "s that an import may lag behind 16 KiB/s in total");
+  visit("limits.principal_maps", c.limits.principal_maps, 1, 1e6,
+        "maps that one principal may create or import, with keys on");
+  visit("limits.principal_disk_mib", c.limits.principal_disk_mib, 1, 1e9,
+        "MiB of the maps that one principal has made; beyond it no more are made or fed");
+  visit("limits.principal_inflight_percent", c.limits.principal_inflight_percent, 1, 100,
+        "% of limits.inflight_mib that the calls of one principal may take");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at shutdown");
 }
 
@@ -206,6 +223,9 @@ bool IsInsecure(const ServerConfig& config);
 /// Of a server that has a certificate, and keys, or not: INVALID_ARGUMENT naming each address that other machines can
 /// reach, and what it lacks, unless a switch says that it may.
 Status CheckExposure(const ServerConfig& config, bool has_tls, bool has_keys);
+
+/// "a, b" -> {"a", "b"}.
+std::vector<std::string> SplitByComma(const std::string& text);
 
 /// "DHPMAP_GRPC_ADDRESS" for "grpc.address".
 std::string EnvironmentName(std::string_view key);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/gateway/dispatcher.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -36,16 +37,25 @@ http::Response MethodNotAllowed(const http::RequestHead& head, std::string_view 
 }  // namespace
 
 Dispatcher::Dispatcher(HttpRuleRouter router, RpcBackend backend, GatewayHooks hooks, std::size_t max_body_bytes,
-                       std::shared_ptr<ByteBudget> inflight)
+                       std::shared_ptr<ByteBudget> inflight, AllowedOrigins origins)
     : router_(std::move(router)),
       gate_(hooks.gate != nullptr && hooks.gate->has_keys() ? hooks.gate : nullptr),
       pages_(router_, std::move(hooks)),
       backend_(backend),
       max_body_bytes_(max_body_bytes),
-      inflight_(std::move(inflight)) {}
+      inflight_(std::move(inflight)),
+      origins_(std::move(origins)) {}
 
 std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
                                                   const std::shared_ptr<http::Responder>& responder) const {
+  if (origins_.empty()) return BeginFor(head, false, responder);
+  std::optional<std::string> origin = origins_.OriginOf(head);
+  const bool is_open = origin.has_value();
+  return BeginFor(head, is_open, ForOrigin(std::move(origin), responder));
+}
+
+std::shared_ptr<http::Exchange> Dispatcher::BeginFor(const http::RequestHead& head, bool is_open,
+                                                     const std::shared_ptr<http::Responder>& responder) const {
   const auto answer = [&](http::Response response) {
     responder->Reply(std::move(response));
     return nullptr;
@@ -54,6 +64,10 @@ std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
   if (!target) {
     return answer(
         ErrorResponse(InvalidArgument("the request target is not a path").WithReason("BAD_TARGET"), FormatFor(head)));
+  }
+  if (is_open && IsPreflight(head)) {
+    const std::string methods = router_.AllowedMethods(target->path);
+    return answer(PreflightAnswer(head, methods.empty() ? "GET, HEAD" : methods));
   }
   if (const Status url = gate_ ? CheckNoKeyInUrl(target->query) : Status::Ok(); !url.ok()) {
     return answer(ErrorResponse(url, FormatFor(head)));
@@ -76,7 +90,7 @@ std::shared_ptr<http::Exchange> Dispatcher::Begin(const http::RequestHead& head,
   }
   RouteMatch match = router_.Find(head.method, target->path);
   if (match.route == nullptr) return answer(NoRoute(head, target->path));
-  auto exchange = BeginRpc(head, std::move(match), target->query, responder);
+  auto exchange = BeginRpc(head, is_open, std::move(match), target->query, responder);
   if (!exchange.ok()) return answer(ErrorResponse(exchange.status(), FormatFor(head)));
   return std::move(*exchange);
 }
@@ -96,24 +110,25 @@ http::Response Dispatcher::NoRoute(const http::RequestHead& head, std::string_vi
   return response;
 }
 
-Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::RequestHead& head, RouteMatch match,
-                                                             std::string_view query,
+Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::RequestHead& head, bool is_open,
+                                                             RouteMatch match, std::string_view query,
                                                              const std::shared_ptr<http::Responder>& responder) const {
   // A web page of another origin must not reach a server on the user's own machine: browsers say where they come from,
   // and what they send without asking first may look like curl's.
-  if (head.is_from_foreign_page && !IsRead(head)) {
+  if (head.is_from_foreign_page && !is_open && !IsRead(head)) {
     return Status(StatusCode::kPermissionDenied, "requests from web pages of another origin are not taken")
         .WithReason("FOREIGN_ORIGIN");
   }
   const bool is_stream = match.route->is_stream();
   auth::PrincipalPtr caller;
   if (const Status admitted = Admit(head, match, caller); !admitted.ok()) {
-    gate_->Audit({.principal = caller.get(), .rpc = match.route->rpc_path, .map = {}, .decision = admitted});
+    (void)gate_->Audit({.principal = caller.get(), .rpc = match.route->rpc_path, .map = {}, .decision = admitted});
     return admitted;
   }
   DHPMAP_ASSIGN_OR_RETURN(RpcRequest request, RpcRequest::Make(head, std::move(match), query, max_body_bytes_));
+  const auto budget = caller != nullptr ? gate_->BudgetOf(*caller, inflight_) : inflight_;
   if (caller != nullptr) CallFor(*gate_, std::move(caller), request.call);
-  ByteShare share(inflight_.get());
+  ByteShare share(budget.get());
   if (is_stream) return MakeStreamExchange(std::move(request), std::move(share), backend_, responder);
   if (!share.Resize(request.announced_bytes)) return TooManyBytes();
   return MakeUnaryExchange(std::move(request), std::move(share), backend_, responder);

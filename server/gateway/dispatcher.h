@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "server/base/byte_budget.h"
+#include "server/gateway/allowed_origins.h"
 #include "server/gateway/hooks.h"
 #include "server/gateway/http_rule_router.h"
 #include "server/gateway/pages.h"
@@ -18,9 +19,9 @@ namespace dhpmap::gateway {
 class Dispatcher final : public http::Handler {
  public:
   /// What `backend` names outlives this. Larger bodies than `max_body_bytes` are refused, and requests for whose bodies
-  /// and answers `inflight` has no room.
+  /// and answers `inflight` has no room. Pages of `origins` may do what their keys may.
   Dispatcher(HttpRuleRouter router, RpcBackend backend, GatewayHooks hooks, std::size_t max_body_bytes,
-             std::shared_ptr<ByteBudget> inflight);
+             std::shared_ptr<ByteBudget> inflight, AllowedOrigins origins = AllowedOrigins());
 
   std::shared_ptr<http::Exchange> Begin(const http::RequestHead& head,
                                         const std::shared_ptr<http::Responder>& responder) const override;
@@ -28,8 +29,11 @@ class Dispatcher final : public http::Handler {
   [[nodiscard]] http::Response ErrorAnswer(const Status& error) const override;
 
  private:
+  /// `is_open`: to pages of the request's origin.
+  std::shared_ptr<http::Exchange> BeginFor(const http::RequestHead& head, bool is_open,
+                                           const std::shared_ptr<http::Responder>& responder) const;
   [[nodiscard]] http::Response NoRoute(const http::RequestHead& head, std::string_view path) const;
-  Result<std::shared_ptr<http::Exchange>> BeginRpc(const http::RequestHead& head, RouteMatch match,
+  Result<std::shared_ptr<http::Exchange>> BeginRpc(const http::RequestHead& head, bool is_open, RouteMatch match,
                                                    std::string_view query,
                                                    const std::shared_ptr<http::Responder>& responder) const;
 
@@ -45,6 +49,7 @@ class Dispatcher final : public http::Handler {
   RpcBackend backend_;
   std::size_t max_body_bytes_;
   std::shared_ptr<ByteBudget> inflight_;
+  AllowedOrigins origins_;
 };
 
 }  // namespace dhpmap::gateway

@@ -3,6 +3,7 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "mapping/base/utf8.h"
 #include "proto/types/http_status.h"
@@ -43,6 +44,17 @@ void AppendDetail(const google::protobuf::Any& detail, std::string* out) {
   *out += "\"}";
 }
 
+/// What google.rpc.RetryInfo says, in whole seconds; empty: nothing.
+std::string RetryAfterOf(const google::rpc::Status& status) {
+  google::rpc::RetryInfo retry;
+  for (const google::protobuf::Any& detail : status.details()) {
+    if (!detail.UnpackTo(&retry)) continue;
+    const auto& delay = retry.retry_delay();
+    return std::to_string(delay.seconds() + (delay.nanos() > 0 ? 1 : 0));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string ErrorJson(const RpcStatus& status) {
@@ -65,6 +77,9 @@ http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format) {
   response.headers.emplace_back("Content-Type", as_protobuf ? kProtobufType : kJsonType);
   constexpr int kUnauthenticated = 16;
   if (status.code == kUnauthenticated) response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"dhpmap\"");
+  if (std::string after_s = RetryAfterOf(Parsed(status)); !after_s.empty()) {
+    response.headers.emplace_back("Retry-After", std::move(after_s));
+  }
   response.body = as_protobuf ? Parsed(status).SerializeAsString() : ErrorJson(status) + "\n";
   return response;
 }

@@ -14,7 +14,7 @@ namespace dhpmap::gateway {
 std::string ErrorJson(const RpcStatus& status);
 
 /// The whole answer, as google.rpc.Status in JSON or protobuf, with the HTTP status of its reason, where that has one
-/// of its own (410 for COMPACTED), or of its code.
+/// of its own (410 for COMPACTED), or of its code. Retry-After as google.rpc.RetryInfo has it.
 http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format);
 /// For what the gateway itself refuses.
 http::Response ErrorResponse(const Status& status, AnswerFormat format);

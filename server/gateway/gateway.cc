@@ -26,7 +26,7 @@ struct Gateway::Impl {
        GatewayHooks hooks)
       : caller(std::move(channel)),
         dispatcher(std::move(router), {&caller, &bulk, &shared, &frames, &pages}, std::move(hooks),
-                   options.max_body_bytes, options.inflight) {}
+                   options.max_body_bytes, options.inflight, gateway::AllowedOrigins(options.allowed_origins)) {}
 
   enum class State { kServing, kShutDown, kStuck };  // kStuck: shut down, but something still refers to us
 

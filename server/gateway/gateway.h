@@ -29,7 +29,8 @@ struct GatewayOptions {
   /// For bodies and answers in memory; beyond it requests are answered with 429. Never null.
   std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
   int num_threads = 1;
-  std::vector<std::string> allowed_hosts;  ///< names under which it answers, besides its address and localhost
+  std::vector<std::string> allowed_hosts;    ///< names under which it answers, besides its address and localhost
+  std::vector<std::string> allowed_origins;  ///< whose pages may use it with a key; see AllowedOrigins
   int max_connections = 1000;
   double idle_timeout_s = 60;  ///< of a connection between requests
   double head_timeout_s = 10;  ///< from the first byte of a request to the end of its head

@@ -65,7 +65,7 @@ http::Response Done(std::string_view word, std::int64_t life_s) {
 Result<auth::PrincipalPtr> WhoAsks(auth::Gate& gate, const http::RequestHead& head) {
   std::vector<std::string_view> keys = ValuesOf(head, "authorization");
   const std::vector<std::string_view> words = LoginsOf(head);
-  if (words.empty()) return gate.Authenticate(keys);
+  if (words.empty()) return gate.AuthenticateFrom(head.peer_key, keys);
   if (!keys.empty() || words.size() > 1) {
     return InvalidArgument("the request shows more than one key or login").WithReason("AMBIGUOUS_CREDENTIAL");
   }
@@ -76,10 +76,11 @@ Result<auth::PrincipalPtr> WhoAsks(auth::Gate& gate, const http::RequestHead& he
 http::Response LogIn(auth::Gate& gate, const http::RequestHead& head) {
   if (head.is_from_foreign_page) return ErrorResponse(ForeignPage(), AnswerFormat::kAny);
   // Who is logged in already may do so again, as another.
-  auto principal = gate.Authenticate(ValuesOf(head, "authorization"));
-  const Status counted = principal.ok() ? gate.Count(**principal) : principal.status();
-  gate.Audit(
+  auto principal = gate.AuthenticateFrom(head.peer_key, ValuesOf(head, "authorization"));
+  Status counted = principal.ok() ? gate.Count(**principal) : principal.status();
+  const Status written = gate.Audit(
       {.principal = principal.ok() ? principal->get() : nullptr, .rpc = "/ui/login", .map = {}, .decision = counted});
+  if (counted.ok()) counted = written;
   if (!counted.ok()) return ErrorResponse(counted, AnswerFormat::kAny);
   return Done(gate.LogIn(*std::move(principal)), auth::LoginSessions::kLife_s);
 }

@@ -97,7 +97,7 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
   }
 
   UnaryReactor(const ServiceContext& context, const CallMessages& call)
-      : call_(call), record_(context, call.method), share_(context.options.inflight.get()) {}
+      : call_(call), record_(context, call.method), share_(&BudgetHere(*context.options.inflight)) {}
 
   void OnCancel() override {
     stop_.request_stop();

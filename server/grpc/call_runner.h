@@ -24,11 +24,14 @@
 #include "server/app/maps/map_registry.h"
 #include "server/app/states/pinned_snapshots.h"
 #include "server/base/byte_budget.h"
+#include "server/grpc/caller_budget.h"
 #include "server/grpc/grpc_options.h"
 #include "server/grpc/lanes.h"
 #include "server/grpc/status_conversion.h"
 
 namespace dhpmap {
+
+class MapQuota;
 
 /// What all services share.
 struct ServiceContext {
@@ -38,6 +41,7 @@ struct ServiceContext {
   const GrpcObserver& observer;
   PinnedSnapshots& held;
   std::atomic<int>& num_checks;  ///< that are being answered in pieces
+  MapQuota& quota;
 };
 
 /// Over the calling thread and those of the bulk lane that have nothing else to do. What they read from the disk counts
@@ -184,7 +188,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
       : context_(context),
         call_context_(call_context),
         record_(context, method),
-        share_(context.options.inflight.get()) {}
+        share_(&BudgetHere(*context.options.inflight)) {}
 
   Status HoldState(const PinnedSnapshots::State& state) {
     hold_ = context_.held.TryPin(state, [this] { LetGo(); });

@@ -36,13 +36,14 @@ Status RequestIntake::Parse(grpc::ByteBuffer& bytes, google::protobuf::Message& 
   const CallRecord record(context, name);
   const Status status = RunGuarded([&] {
     if (bytes.Length() > most_bytes) return RequestTooLarge(bytes.Length(), most_bytes);
-    share.emplace(context.options.inflight.get());
+    ByteBudget& budget = BudgetHere(*context.options.inflight);
+    share.emplace(&budget);
     std::size_t too_many_bytes = 0;
     const auto resize = [&](std::size_t num_bytes) {
       if (num_bytes > most_message_bytes) too_many_bytes = num_bytes;
       return num_bytes <= most_message_bytes && share->Resize(num_bytes);
     };
-    const Status parsed = ParseWithin(*context.options.inflight, layout, bytes, message, resize);
+    const Status parsed = ParseWithin(budget, layout, bytes, message, resize);
     return too_many_bytes > 0 ? MessageTooLarge(too_many_bytes, most_message_bytes) : parsed;
   });
   if (status.ok()) return status;
@@ -55,10 +56,9 @@ Status RequestIntake::Parse(grpc::ByteBuffer& bytes, google::protobuf::Message& 
 Status RequestIntake::Enter(grpc::CallbackServerContext& call) const {
   const CallRecord record(context, name);
   const Status status = RunGuarded([&] {
-    Status entered = dhpmap::Enter(*context.options.gate, needs, call);
+    const Status entered = dhpmap::Enter(*context.options.gate, needs, context.options.inflight, call);
     const bool comes_with_messages = needs != nullptr && needs->comes_in_messages;
-    if (!entered.ok() || comes_with_messages) Audit(CallerOf(call), entered, nullptr);
-    return entered;
+    return !entered.ok() || comes_with_messages ? Audit(CallerOf(call), entered, nullptr) : entered;
   });
   if (!status.ok()) record.End(status);
   return status;
@@ -67,25 +67,27 @@ Status RequestIntake::Enter(grpc::CallbackServerContext& call) const {
 Status RequestIntake::Take(grpc::CallbackServerContext& call, grpc::ByteBuffer& bytes,
                            google::protobuf::Message& message, std::optional<ByteShare>& share) const {
   DHPMAP_RETURN_IF_ERROR(Enter(call));
+  const CallerBudget here(CallerOf(call).budget().get());
   DHPMAP_RETURN_IF_ERROR(Parse(bytes, message, share));
   const CallRecord record(context, name);
   const Status status = RunGuarded([&] {
-    Status checked = CallerOf(call).Check(message);
-    Audit(CallerOf(call), checked, &message);
-    return checked;
+    const Status checked = CallerOf(call).Check(message);
+    return Audit(CallerOf(call), checked, &message);
   });
   if (!status.ok()) record.End(status);
   return status;
 }
 
-void RequestIntake::Audit(const Caller& caller, const Status& decision,
-                          const google::protobuf::Message* message) const {
-  if (!context.options.gate->has_keys() || needs == nullptr) return;
-  if (decision.ok() && needs->need == v1::Access::READ) return;
-  context.options.gate->Audit({.principal = caller.principal(),
-                               .rpc = path,
-                               .map = message != nullptr ? auth::MapNamed(*needs, *message) : std::string(),
-                               .decision = decision});
+Status RequestIntake::Audit(const Caller& caller, const Status& decision,
+                            const google::protobuf::Message* message) const {
+  if (!context.options.gate->has_keys() || needs == nullptr) return decision;
+  if (decision.ok() && needs->need == v1::Access::READ) return decision;
+  const Status written =
+      context.options.gate->Audit({.principal = caller.principal(),
+                                   .rpc = path,
+                                   .map = message != nullptr ? auth::MapNamed(*needs, *message) : std::string(),
+                                   .decision = decision});
+  return decision.ok() ? written : decision;
 }
 
 }  // namespace dhpmap

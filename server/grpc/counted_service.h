@@ -10,6 +10,7 @@
 #include <string>
 
 #include "server/grpc/call_runner.h"
+#include "server/grpc/caller_budget.h"
 #include "server/grpc/door_call.h"
 #include "server/grpc/request_message.h"
 
@@ -30,8 +31,9 @@ struct RequestIntake {
   /// Enter, Parse, and whether the caller may ask for what the message names.
   Status Take(grpc::CallbackServerContext& call, grpc::ByteBuffer& bytes, google::protobuf::Message& message,
               std::optional<ByteShare>& share) const;
-  /// Into the audit log: who is let in to what changes something, and who is not.
-  void Audit(const Caller& caller, const Status& decision, const google::protobuf::Message* message) const;
+  /// Into the audit log: who is let in to what changes something, and who is not. The decision; or what was let in is
+  /// refused because it could not be written, see auth::Gate::Audit.
+  Status Audit(const Caller& caller, const Status& decision, const google::protobuf::Message* message) const;
 
   const ServiceContext& context;
   const MessageLayout& layout;
@@ -66,6 +68,7 @@ class CountedService : public Service::CallbackService {
     const auto open = [=, this](Context* call, Response* response) -> grpc::ServerReadReactor<grpc::ByteBuffer>* {
       const Status entered = intake->Enter(*call);
       if (!entered.ok()) return new Refusal<grpc::ServerReadReactor<grpc::ByteBuffer>>(entered);
+      const CallerBudget here(CallerOf(*call).budget().get());
       return (static_cast<Self*>(this)->*handler)(call, response);
     };
     Mark<grpc::internal::CallbackClientStreamingHandler<grpc::ByteBuffer, Response>>(intake->index, open);
@@ -76,6 +79,7 @@ class CountedService : public Service::CallbackService {
     const auto open = [=, this](Context* call) -> grpc::ServerBidiReactor<grpc::ByteBuffer, Response>* {
       const Status entered = intake->Enter(*call);
       if (!entered.ok()) return new Refusal<grpc::ServerBidiReactor<grpc::ByteBuffer, Response>>(entered);
+      const CallerBudget here(CallerOf(*call).budget().get());
       return (static_cast<Self*>(this)->*handler)(call);
     };
     Mark<grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, Response>>(intake->index, open);
@@ -97,6 +101,7 @@ class CountedService : public Service::CallbackService {
                                  Response* response) -> grpc::ServerUnaryReactor* {
       const Status taken = intake->Take(*call, request->bytes, request->message, request->share);
       if (!taken.ok()) return new Refusal<grpc::ServerUnaryReactor>(taken);
+      const CallerBudget here(CallerOf(*call).budget().get());
       return (static_cast<Self*>(this)->*handler)(call, &request->message, response);
     };
     Mark<grpc::internal::CallbackUnaryHandler<RawRequest<Request>, Response>>(intake->index, begin);
@@ -108,6 +113,7 @@ class CountedService : public Service::CallbackService {
                                  const RawRequest<Request>* request) -> grpc::ServerWriteReactor<Response>* {
       const Status taken = intake->Take(*call, request->bytes, request->message, request->share);
       if (!taken.ok()) return new Refusal<grpc::ServerWriteReactor<Response>>(taken);
+      const CallerBudget here(CallerOf(*call).budget().get());
       return (static_cast<Self*>(this)->*handler)(call, &request->message);
     };
     Mark<grpc::internal::CallbackServerStreamingHandler<RawRequest<Request>, Response>>(intake->index, begin);

@@ -61,13 +61,12 @@ Status Caller::CheckMap(std::string_view map_id) const {
   return principal_ != nullptr ? auth::CheckMap(*principal_, map_id) : Status::Ok();
 }
 
-bool Caller::Owns(std::string_view author) const {
-  return principal_ == nullptr || principal_->role == auth::Role::kAdmin || auth::IsOwnName(principal_->name, author);
-}
+bool Caller::Owns(std::string_view author) const { return OwnsAll() || auth::IsOwnName(principal_->name, author); }
 
 std::unique_ptr<grpc::ContextAllocator> MakeCallAllocator() { return std::make_unique<CallAllocator>(); }
 
-Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, grpc::CallbackServerContext& call) {
+Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, const std::shared_ptr<ByteBudget>& inflight,
+             grpc::CallbackServerContext& call) {
   if (!gate.has_keys()) return Status::Ok();
   auto* door = dynamic_cast<DoorCall*>(&call);
   if (door == nullptr || needs == nullptr) return Internal("a call came in by no door");
@@ -78,7 +77,8 @@ Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, grpc::CallbackServe
     const bool is_feed = needs->need == v1::Access::FEED;
     DHPMAP_ASSIGN_OR_RETURN(door->place, gate.streams().Add(principal, is_feed, EndOf(call.c_call())));
   }
-  door->caller = Caller(std::move(principal), needs);
+  std::shared_ptr<ByteBudget> budget = gate.BudgetOf(*principal, inflight);
+  door->caller = Caller(std::move(principal), needs, std::move(budget));
   return Status::Ok();
 }
 

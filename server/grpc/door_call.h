@@ -18,11 +18,14 @@ namespace dhpmap {
 class Caller {
  public:
   Caller() = default;
-  Caller(auth::PrincipalPtr principal, const auth::CallNeeds* needs)
-      : principal_(std::move(principal)), needs_(needs) {}
+  Caller(auth::PrincipalPtr principal, const auth::CallNeeds* needs, std::shared_ptr<ByteBudget> budget)
+      : principal_(std::move(principal)), needs_(needs), budget_(std::move(budget)) {}
 
   /// Null: keys are off.
   [[nodiscard]] const auth::Principal* principal() const { return principal_.get(); }
+
+  /// What its calls may have in flight; null: as all together.
+  [[nodiscard]] const std::shared_ptr<ByteBudget>& budget() const { return budget_; }
 
   /// PERMISSION_DENIED as of auth::CheckRequest; an author that is left empty is filled in.
   Status Check(google::protobuf::Message& request) const;
@@ -32,10 +35,12 @@ class Caller {
   [[nodiscard]] bool MaySee(std::string_view map_id) const { return CheckMap(map_id).ok(); }
   /// Whether it may undo edits of that author by name.
   [[nodiscard]] bool Owns(std::string_view author) const;
+  [[nodiscard]] bool OwnsAll() const { return principal_ == nullptr || principal_->role == auth::Role::kAdmin; }
 
  private:
   auth::PrincipalPtr principal_;
   const auth::CallNeeds* needs_ = nullptr;
+  std::shared_ptr<ByteBudget> budget_;
 };
 
 /// Makes gRPC's contexts of calls, with room for the caller.
@@ -43,8 +48,10 @@ std::unique_ptr<grpc::ContextAllocator> MakeCallAllocator();
 
 /// Before a message of it is read: who makes the call, by its ticket or key; whether the role has what it needs, and
 /// whether it comes within the caller's limits. A stream ends when the caller's key does. Once a call. `needs` is null
-/// for a call that nothing is known of, which is refused. Without keys all is let in.
-Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, grpc::CallbackServerContext& call);
+/// for a call that nothing is known of, which is refused. Without keys all is let in. Of `inflight` the caller gets a
+/// part.
+Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, const std::shared_ptr<ByteBudget>& inflight,
+             grpc::CallbackServerContext& call);
 
 /// Of a call that has entered.
 const Caller& CallerOf(const grpc::CallbackServerContext& call);

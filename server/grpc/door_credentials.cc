@@ -20,7 +20,8 @@ grpc::Status Refusal(const Status& status) {
 
 class KeyProcessor final : public grpc::AuthMetadataProcessor {
  public:
-  explicit KeyProcessor(std::shared_ptr<auth::Gate> gate) : gate_(std::move(gate)) {}
+  KeyProcessor(std::shared_ptr<auth::Gate> gate, std::function<std::string()> from)
+      : gate_(std::move(gate)), from_(std::move(from)) {}
 
   /// It takes microseconds: gRPC's own thread does it.
   [[nodiscard]] bool IsBlocking() const override { return false; }
@@ -43,7 +44,7 @@ class KeyProcessor final : public grpc::AuthMetadataProcessor {
     std::vector<std::string_view> keys;
     const auto [begin, end] = head.equal_range("authorization");
     for (auto value = begin; value != end; ++value) keys.push_back(ViewOf(value->second));
-    const auto principal = gate_->Authenticate(keys);
+    const auto principal = gate_->AuthenticateFrom(from_(), keys);
     if (!principal.ok()) return Refused(nullptr, principal.status(), path->second);
     if (needs == nullptr) return {StatusCode::kUnimplemented, "there is no such rpc"};
     if (path->second == "/grpc.health.v1.Health/Watch") {  // gRPC's own handler, which would outlive the key
@@ -53,21 +54,23 @@ class KeyProcessor final : public grpc::AuthMetadataProcessor {
   }
   /// The status as it is, written down if it is no good one.
   [[nodiscard]] Status Refused(const auth::Principal* principal, const Status& status, grpc::string_ref path) const {
-    if (!status.ok()) gate_->Audit({.principal = principal, .rpc = ViewOf(path), .map = {}, .decision = status});
+    if (!status.ok()) (void)gate_->Audit({.principal = principal, .rpc = ViewOf(path), .map = {}, .decision = status});
     return status;
   }
   static std::string_view ViewOf(grpc::string_ref text) { return {text.data(), text.size()}; }
 
   const std::shared_ptr<auth::Gate> gate_;
+  const std::function<std::string()> from_;
 };
 
 }  // namespace
 
 std::shared_ptr<grpc::ServerCredentials> MakeDoorCredentials(std::shared_ptr<auth::Gate> gate,
-                                                             grpc_local_connect_type kind) {
+                                                             grpc_local_connect_type kind,
+                                                             std::function<std::string()> from) {
   if (gate == nullptr || !gate->has_keys()) return grpc::InsecureServerCredentials();
   auto credentials = grpc::experimental::LocalServerCredentials(kind);
-  credentials->SetAuthMetadataProcessor(std::make_shared<KeyProcessor>(std::move(gate)));
+  credentials->SetAuthMetadataProcessor(std::make_shared<KeyProcessor>(std::move(gate), std::move(from)));
   return credentials;
 }
 

@@ -84,11 +84,12 @@ class EditService final : public CountedService<v1::EditService> {
         [=, this, caller = CallerOf(*call)] { return PlanUndo("RedoEdits", *request, caller); }, kFillUndone);
   }
 
-  grpc::ServerUnaryReactor* RestoreRevision(grpc::CallbackServerContext*, const v1::RestoreRevisionRequest* request,
+  grpc::ServerUnaryReactor* RestoreRevision(grpc::CallbackServerContext* call,
+                                            const v1::RestoreRevisionRequest* request,
                                             v1::RestoreRevisionResponse* response) override {
     return RunEdit(
         context_, {.method = "EditService/RestoreRevision", .request = request, .opens = request->map()}, response,
-        [=, this] { return PlanRestore(*request); }, kFillUndone);
+        [=, this, caller = CallerOf(*call)] { return PlanRestore(*request, caller); }, kFillUndone);
   }
 
   grpc::ServerUnaryReactor* ListEdits(grpc::CallbackServerContext*, const v1::ListEditsRequest* request,
@@ -170,11 +171,37 @@ class EditService final : public CountedService<v1::EditService> {
     return PlanEdit(method, request, map, context_.registry.UndoOf(std::move(undo)));
   }
 
-  Result<PlannedEdit> PlanRestore(const v1::RestoreRevisionRequest& request) const {
+  /// Who may not undo others' edits by name does not do so by going back behind them.
+  Status CheckOwnsEditsAfter(std::int64_t revision, const std::string& map, const std::optional<SubmapId>& submap,
+                             const Caller& caller) const {
+    if (caller.OwnsAll()) return Status::Ok();
+    EditQuery query{.max_edits = 1000};
+    for (;;) {
+      DHPMAP_ASSIGN_OR_RETURN(const std::vector<LoggedEdit> edits, context_.registry.ListEdits(map, query));
+      for (const LoggedEdit& edit : edits) {
+        if (edit.entry.revision <= revision) return Status::Ok();
+        if (caller.Owns(edit.entry.source.author) || (submap && !Changes(edit.entry.summary, *submap))) continue;
+        return Status(StatusCode::kPermissionDenied,
+                      "since then there are edits of others, which only they and admins may undo")
+            .WithReason("NOT_YOUR_NAME");
+      }
+      if (edits.size() < query.max_edits) return Status::Ok();
+      query.before_revision = edits.back().entry.revision;
+    }
+  }
+
+  Result<PlannedEdit> PlanRestore(const v1::RestoreRevisionRequest& request, const Caller& caller) const {
     DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request.map(), "map"));
     DHPMAP_ASSIGN_OR_RETURN(RestoreRequest restore, RestoreFromProto(request, map));
-    DHPMAP_ASSIGN_OR_RETURN(auto change, context_.registry.RestorationOf(map, std::move(restore)));
-    return PlanEdit("RestoreRevision", request, map, std::move(change));
+    const std::int64_t revision = restore.revision;
+    const std::optional<SubmapId> submap = restore.submap;
+    DHPMAP_ASSIGN_OR_RETURN(auto restoration, context_.registry.RestorationOf(map, std::move(restore)));
+    const auto change = [=, this, restoration = std::move(restoration)](Map& state) -> Result<EditMade> {
+      DHPMAP_RETURN_IF_ERROR(
+          CheckOwnsEditsAfter(revision, map, submap, caller));  // on the writer: no edit comes between
+      return restoration(state);
+    };
+    return PlanEdit("RestoreRevision", request, map, change);
   }
 
   const ServiceContext& context_;

@@ -5,7 +5,6 @@
 #include <grpc/support/log.h>
 #include <grpcpp/alarm.h>
 #include <grpcpp/grpcpp.h>
-#include <grpcpp/security/server_credentials.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +19,8 @@
 
 #include "grpc/health/v1/health.pb.h"
 #include "server/grpc/door_call.h"
-#include "server/grpc/door_credentials.h"
+#include "server/grpc/entrance.h"
+#include "server/grpc/map_quota.h"
 #include "server/grpc/passing_time.h"
 #include "server/grpc/reflection_service.h"
 #include "server/grpc/services.h"
@@ -124,7 +124,8 @@ struct GrpcServer::Impl {
       : options(grpc_options),
         observer(std::move(grpc_observer)),
         held(*options.inflight, [&registry](const MapSnapshot& state) { return registry.PresentOf(state); }),
-        context{registry, lanes, options, observer, held, num_checks},
+        quota(*options.gate, registry),
+        context{registry, lanes, options, observer, held, num_checks, quota},
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams, query_streams, watch_streams, reflection_streams)),
         lanes{.quick = MakeLane({.name = "quick",
@@ -163,13 +164,15 @@ struct GrpcServer::Impl {
   GrpcObserver observer;
   PinnedSnapshots held;
   std::atomic<int> num_checks = 0;
+  MapQuota quota;
   ServiceContext context;
   IntegrateStreams streams;
   OpenStreams query_streams;
   WatchStreams watch_streams;
   OpenStreams reflection_streams;
   std::vector<std::unique_ptr<grpc::Service>> services;
-  std::unique_ptr<net::Door> door;
+  std::unique_ptr<Entrance> entrance;
+  std::unique_ptr<net::Door> door;  // hands over to it
   std::atomic<bool> is_serving = false;
   std::unique_ptr<grpc::Server> server;
   Lanes lanes;  // last: its threads begin when all they read stands, and end before any of it goes
@@ -193,21 +196,6 @@ Result<std::unique_ptr<net::Door>> OpenDoor(const GrpcOptions& options, const Gr
   return door;
 }
 
-using GrpcAcceptor = grpc::experimental::ExternalConnectionAcceptor;
-
-std::unique_ptr<GrpcAcceptor> AddAcceptor(const GrpcOptions& options, grpc::ServerBuilder& builder) {
-  return builder.experimental().AddExternalConnectionAcceptor(
-      grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD, MakeDoorCredentials(options.gate, UDS));
-}
-
-void LetThrough(net::Door& door, std::unique_ptr<GrpcAcceptor> grpc_acceptor) {
-  door.Start([acceptor = std::shared_ptr<GrpcAcceptor>(std::move(grpc_acceptor))](const net::Passed& passed) {
-    GrpcAcceptor::NewConnectionParameters connection;
-    connection.fd = passed.socket;
-    acceptor->HandleNewConnection(&connection);
-  });
-}
-
 /// gRPC tells of its inner life on standard error; what matters of it comes back to us as a status.
 void LogFromGrpc(gpr_log_func_args* line) { LogDebug(std::string("grpc: ") + line->message); }
 
@@ -223,7 +211,7 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   grpc::ServerBuilder builder;
   DHPMAP_ASSIGN_OR_RETURN(impl->door, OpenDoor(options, impl->observer));
-  auto acceptor = AddAcceptor(options, builder);
+  impl->entrance = std::make_unique<Entrance>(options.gate, builder);
   builder.SetMaxReceiveMessageSize(static_cast<int>(std::min(options.max_message_bytes, kMost)));
   RefuseCompressed(builder);
   builder.SetContextAllocator(MakeCallAllocator());
@@ -233,7 +221,7 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   impl->server = builder.BuildAndStart();
   (void)TakeTurns(Turns::kOrdinary);
   if (impl->server == nullptr) return Internal("gRPC does not start");
-  LetThrough(*impl->door, std::move(acceptor));
+  impl->door->Start([entrance = impl->entrance.get()](const net::Passed& passed) { entrance->Let(passed); });
   std::unique_ptr<GrpcServer> server(new GrpcServer(std::move(impl)));
   server->SetServing(false);
   return server;
@@ -273,6 +261,7 @@ void GrpcServer::Drain() {
 void GrpcServer::Shutdown(double grace_s) {
   Drain();
   impl_->door->StopAccepting();
+  impl_->entrance->Close();
   const gpr_timespec end =
       GrpcTimeIn(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(grace_s)));
   grpc::Alarm giving_up;

@@ -99,7 +99,7 @@ void ImportStream::OnReadDone(bool ok) {
 
 Status ImportStream::TakeMessage() {
   request_ = v1::ImportMapRequest();
-  return ParseWithin(*context_.options.inflight, LayoutOf<v1::ImportMapRequest>(), arrived_, request_,
+  return ParseWithin(share_.budget(), LayoutOf<v1::ImportMapRequest>(), arrived_, request_,
                      [this](std::size_t num_bytes) { return share_.Resize(std::max(kKept_bytes, num_bytes)); });
 }
 
@@ -107,6 +107,7 @@ Status ImportStream::TakePart() {
   if (stop_.stop_requested()) return GoneAway();
   if (incoming_ == nullptr) {
     DHPMAP_RETURN_IF_ERROR(caller_.Check(request_));
+    DHPMAP_ASSIGN_OR_RETURN(making_, context_.quota.Begin(caller_));
     map_id_ = request_.map_id();
     ImportRequest import = ImportRequestFromProto(request_);
     import.check_name = [caller = caller_](const std::string& name) { return caller.CheckMap(name);
@@ -135,6 +136,7 @@ void ImportStream::Show() {
   End(RunGuarded([this]() -> Status {
     if (stop_.stop_requested()) return GoneAway();
     DHPMAP_ASSIGN_OR_RETURN(const MapSummary map, incoming_->Show());
+    if (making_ != nullptr) making_->Done(map);
     *response_->mutable_map() = ToProto(map);
     response_->set_revision(map.info.revision);
     return Status::Ok();
@@ -154,6 +156,7 @@ void ImportStream::End(const Status& status) {
 void ImportStream::LetGo(const Status& status) {
   context_.lanes.bulk.Post([self = self_, status] {
     self->incoming_.reset();
+    self->making_.reset();
     self->context_.lanes.answers.Post([self, status] {
       self->record_.End(status);
       self->Finish(ToGrpc(status));

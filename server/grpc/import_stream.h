@@ -14,6 +14,7 @@
 #include "server/grpc/call_runner.h"
 #include "server/grpc/client_lag.h"
 #include "server/grpc/door_call.h"
+#include "server/grpc/map_quota.h"
 
 namespace dhpmap {
 
@@ -40,7 +41,7 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
         caller_(std::move(caller)),
         response_(response),
         record_(context, "MapService/ImportMap"),
-        share_(context.options.inflight.get()) {}
+        share_(&BudgetHere(*context.options.inflight)) {}
 
   void Read() DHPMAP_EXCLUDES(mutex_);
   /// Looks again whether the client is silent when it may be so.
@@ -70,7 +71,8 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
   // Of gRPC while it reads, else of the one who works on it.
   grpc::ByteBuffer arrived_;
   v1::ImportMapRequest request_;
-  std::unique_ptr<IncomingMap> incoming_;  ///< null before the first message
+  std::unique_ptr<MapQuota::Making> making_;  ///< null before the first message, and without keys
+  std::unique_ptr<IncomingMap> incoming_;     ///< null before the first message
   std::string map_id_;
 
   Mutex mutex_;

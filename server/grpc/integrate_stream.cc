@@ -109,6 +109,7 @@ Status IntegrateStream::ParseHead() {
   if (!head.ok()) return head.status();
   has_frame_ = head->has_frame;
   request_.Swap(&head->message);
+  if (!is_first_) request_.clear_take_over();  // it means nothing here, and must not be asked a right for
   return caller_.Check(request_);
 }
 
@@ -262,6 +263,7 @@ Result<IntegrateStream::Place> IntegrateStream::TakePlace() {
   DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request_.map(), "map"));
   DHPMAP_RETURN_IF_ERROR(CheckSessionName(request_.session()));
   DHPMAP_ASSIGN_OR_RETURN(auto map, context_.registry.GetOpen(name));
+  DHPMAP_RETURN_IF_ERROR(context_.quota.CheckFeed(map->View()->snapshot().info()));
   DHPMAP_ASSIGN_OR_RETURN(auto feed,
                           map->BeginFeed({.session = request_.session(),
                                           .take_over = request_.take_over(),

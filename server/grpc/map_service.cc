@@ -9,6 +9,7 @@
 #include "server/grpc/counted_service.h"
 #include "server/grpc/edit_call.h"
 #include "server/grpc/import_stream.h"
+#include "server/grpc/map_quota.h"
 #include "server/grpc/read_view.h"
 #include "server/grpc/services.h"
 #include "server/wire/bulk_chunks.h"
@@ -27,11 +28,13 @@ class MapService final : public CountedService<v1::MapService> {
     TakeStream<v1::ImportMapRequest>(&MapService::BeginImport);
   }
 
-  grpc::ServerUnaryReactor* CreateMap(grpc::CallbackServerContext*, const v1::CreateMapRequest* request,
+  grpc::ServerUnaryReactor* CreateMap(grpc::CallbackServerContext* call, const v1::CreateMapRequest* request,
                                       v1::CreateMapResponse* response) override {
-    return Run(context_, {"MapService/CreateMap", request}, [=, this]() -> Status {
+    return Run(context_, {"MapService/CreateMap", request}, [=, this, caller = CallerOf(*call)]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(MapInfo info, InfoFromProto(*request, context_.options.default_config));
+      DHPMAP_ASSIGN_OR_RETURN(const auto making, context_.quota.Begin(caller));
       DHPMAP_ASSIGN_OR_RETURN(const MapSummary map, context_.registry.Create(std::move(info)));
+      if (making != nullptr) making->Done(map);
       *response->mutable_map() = ToProto(map);
       response->set_revision(map.info.revision);
       return Status::Ok();

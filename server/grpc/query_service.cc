@@ -91,7 +91,7 @@ class QueryService final : public CountedService<v1::QueryService> {
   template <typename Request, typename Response>
   Reactor* Answer(Context* context, const char* name, const Request* request, Response* response) {
     const QueryEffort effort = EffortOf(*request);
-    const bool can_fit = effort.answer_bytes <= context_.options.inflight->limit_bytes();
+    const bool can_fit = effort.answer_bytes <= BudgetHere(*context_.options.inflight).limit_bytes();
     const auto answer = [=, this](const std::stop_token& stop) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string map, ParseMapName(request->map(), "map"));
       DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, *request));
@@ -119,7 +119,7 @@ class QueryService final : public CountedService<v1::QueryService> {
   template <typename Request, typename Response>
   Reactor* AnswerCheck(Context* context, const char* name, const Request* request, Response* response) {
     const QueryEffort effort = EffortOf(*request);
-    const bool can_fit = effort.answer_bytes <= context_.options.inflight->limit_bytes();
+    const bool can_fit = effort.answer_bytes <= BudgetHere(*context_.options.inflight).limit_bytes();
     const CheckBegins begins = effort.is_quick ? CheckBegins::kQuickly : CheckBegins::kInLane;
     const auto answer = [=, this](const Respond& respond, const std::stop_token& stop) {
       const Status begun = RunGuarded([&]() -> Status {

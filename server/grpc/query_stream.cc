@@ -139,11 +139,11 @@ Status QueryStream::TakeMessage() {
   response_.set_sequence(SequenceOf(incoming_));
   num_pauses_ = 0;
   wanted_bytes_ = question_bytes_ = incoming_.Length();
-  DHPMAP_RETURN_IF_ERROR(ParseWithin(*context_.options.inflight, LayoutOf<v1::StreamQueriesRequest>(), incoming_,
-                                     request_, [this](std::size_t num_bytes) {
-                                       wanted_bytes_ = num_bytes;
-                                       return room_->Use(num_bytes);
-                                     }));
+  DHPMAP_RETURN_IF_ERROR(
+      ParseWithin(*budget_, LayoutOf<v1::StreamQueriesRequest>(), incoming_, request_, [this](std::size_t num_bytes) {
+        wanted_bytes_ = num_bytes;
+        return room_->Use(num_bytes);
+      }));
   question_bytes_ = wanted_bytes_;
   return caller_.Check(request_);
 }
@@ -175,7 +175,7 @@ void QueryStream::Handle() {
 template <typename Request, typename Response>
 void QueryStream::Handle(const Request& request, Response& response) {
   const QueryEffort effort = EffortOf(request);
-  const bool can_fit = effort.answer_bytes <= context_.options.inflight->limit_bytes();
+  const bool can_fit = effort.answer_bytes <= budget_->limit_bytes();
   wanted_bytes_ = question_bytes_ + (can_fit && !effort.is_quick ? effort.answer_bytes : 0);
   if (!room_->Use(wanted_bytes_)) return Answer(TooManyBytes());
   AnswerInLane(effort.is_quick, request.map(), [this, is_quick = effort.is_quick, &request, &response]() -> Status {
@@ -190,7 +190,7 @@ void QueryStream::Handle(const Request& request, Response& response) {
 template <typename Request, typename Response>
 void QueryStream::HandleCheck(const Request& request, Response& response) {
   const QueryEffort effort = EffortOf(request);
-  const bool can_fit = effort.answer_bytes <= context_.options.inflight->limit_bytes();
+  const bool can_fit = effort.answer_bytes <= budget_->limit_bytes();
   wanted_bytes_ = question_bytes_ + (can_fit && !effort.is_quick ? effort.answer_bytes : 0);
   if (!room_->Use(wanted_bytes_)) return Answer(TooManyBytes());
   const auto task = std::make_shared<LaneTask>([this, effort, &request, &response] {
@@ -258,7 +258,7 @@ void QueryStream::Answer(const Status& status) {
   incoming_.Clear();
   request_ =
       v1::StreamQueriesRequest();  // it is answered, and may be large; Clear() would keep what nobody knows of it
-  const bool has_room = !status.ok() || room_->Use(BytesOfAnswer(response_, *context_.options.inflight));
+  const bool has_room = !status.ok() || room_->Use(BytesOfAnswer(response_, *budget_));
   const Status outcome = has_room ? status : TooManyBytes();
   if (!outcome.ok()) {
     response_.clear_answer();

@@ -43,7 +43,8 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::S
         caller_(std::move(caller)),
         streams_(streams),
         record_(context, "QueryService/StreamQueries"),
-        room_(std::make_shared<RoomAhead>(context.options.inflight)) {}
+        budget_(caller_.budget() != nullptr ? caller_.budget() : context.options.inflight),
+        room_(std::make_shared<RoomAhead>(budget_)) {}
 
   void Read() DHPMAP_EXCLUDES(mutex_);
   void ReadLater();
@@ -74,6 +75,7 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::S
   const Caller caller_;
   OpenStreams& streams_;
   CallRecord record_;
+  const std::shared_ptr<ByteBudget> budget_;
   const std::shared_ptr<RoomAhead> room_;  ///< of the request and its answer; of an alarm, too
   std::stop_source stop_;
   MapPin pin_;

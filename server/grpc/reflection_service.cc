@@ -81,7 +81,7 @@ class ReflectionStream final
         streams_(streams),
         services_(std::move(services)),
         record_(context, "ServerReflection/ServerReflectionInfo"),
-        share_(context.options.inflight.get()) {}
+        share_(&BudgetHere(*context.options.inflight)) {}
 
   void Read() DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);

@@ -78,7 +78,7 @@ class WatchStream final : public grpc::ServerWriteReactor<v1::WatchMapResponse> 
         streams_(streams),
         request_(request),
         record_(context, "WatchService/WatchMap"),
-        share_(context.options.inflight.get()) {}
+        share_(&BudgetHere(*context.options.inflight)) {}
 
   /// There may be something to read: takes the turn, unless somebody has it, who then looks once more.
   void Wake() DHPMAP_EXCLUDES(mutex_);

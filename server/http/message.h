@@ -22,6 +22,7 @@ struct RequestHead {
   std::string target;
   Headers headers;
   std::optional<std::uint64_t> content_length;
+  std::string peer_key;               ///< net::PeerKey of who sent it; empty behind a unix: address
   bool is_from_foreign_page = false;  ///< a web page sent it that is not of this server
 };
 

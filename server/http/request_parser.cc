@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/http/request_parser.h"
 
+#include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/beast/http/buffer_body.hpp>
 #include <boost/beast/http/error.hpp>
@@ -23,6 +24,14 @@ bool IsTokenChar(char c) {
          std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
 }
 
+/// Whether the line that ends there goes on with the one before it (RFC 9112, 5.2): proxies do not agree on what such a
+/// field says.
+bool IsFolded(std::string_view head, std::size_t newline) {
+  const std::size_t before = newline == 0 ? std::string_view::npos : head.rfind('\n', newline - 1);
+  if (before == std::string_view::npos) return false;
+  return head[before + 1] == ' ' || head[before + 1] == '\t';
+}
+
 /// Beast 1.74 asserts, wrongly, that a body whose first chunk is the last one has not come in pieces that end here.
 bool IsShortLastChunk(std::string_view framing) {
   return framing.starts_with("0\r\n") && framing.size() < std::string_view("0\r\n\r\n").size();
@@ -31,6 +40,13 @@ bool IsShortLastChunk(std::string_view framing) {
 ReadOutcome OutcomeOfParsing(const error_code& error) {
   if (!error) return ReadOutcome::kOk;
   return error == beast::http::error::header_limit ? ReadOutcome::kTooLarge : ReadOutcome::kMalformed;
+}
+
+/// Beast takes several that say the same, in one field or more (RFC 9112, 6.3).
+bool HasOneLength(const Parser::value_type& message) {
+  if (message.count(beast::http::field::content_length) > 1) return false;
+  const auto length = message[beast::http::field::content_length];
+  return std::all_of(length.begin(), length.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 HeadResult MakeHead(const Parser& parser, const error_code& error) {
@@ -49,6 +65,11 @@ HeadResult MakeHead(const Parser& parser, const error_code& error) {
       continue;
     }
     result.outcome = ReadOutcome::kUnknownCoding;
+    return result;
+  }
+  if (!HasOneLength(message)) {
+    result.outcome = ReadOutcome::kMalformed;
+    result.problem = "its Content-Length is not one number";
     return result;
   }
   result.head.method = std::string(message.method_string());
@@ -88,7 +109,7 @@ std::size_t RequestParser::Impl::FindHead(std::string_view bytes, ReadOutcome* o
     const std::size_t newline = head.find('\n', num_scanned);
     num_scanned = newline == std::string_view::npos ? head.size() : newline + 1;
     if (newline == std::string_view::npos) break;
-    if (newline < 1 || head[newline - 1] != '\r') *outcome = ReadOutcome::kMalformed;
+    if (newline < 1 || head[newline - 1] != '\r' || IsFolded(head, newline)) *outcome = ReadOutcome::kMalformed;
     else if (head.substr(0, newline + 1).ends_with("\r\n\r\n")) return newline + 1;
   }
   if (*outcome == ReadOutcome::kOk && head.size() == kMaxHead_bytes) *outcome = ReadOutcome::kTooLarge;
@@ -119,7 +140,7 @@ RequestParser::HeadStep RequestParser::AddHead(std::string_view bytes) {
     step.head = impl_->ParseHead(bytes.substr(0, size));
   } else {
     step.head.outcome = outcome;
-    step.head.problem = "a request begins with its method, and lines end with CR LF";
+    step.head.problem = "a request begins with its method, and lines end with CR LF and begin with no blank";
   }
   return step;
 }

@@ -38,6 +38,7 @@ std::string Hex(std::size_t number) {
 void Session::Start(bool is_surplus) {
   is_surplus_ = is_surplus;
   idle_since_ = std::chrono::steady_clock::now();
+  if (const net::PeerIdentity peer = connection_->peer(); !peer.uid && !peer.address.empty()) peer_key_ = PeerKey(peer);
   connection_->Start(shared_from_this());
 }
 
@@ -67,6 +68,7 @@ void Session::OnHead(HeadResult result) {
     keep_alive_ = false;
     return Reply(handler_.ErrorAnswer(refused));
   }
+  result.head.peer_key = peer_key_;
   result.head.is_from_foreign_page = names_.IsFromForeignPage(result.head, local_address);
   BeginRequest(result.head, waits_for_continue);
 }

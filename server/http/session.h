@@ -68,6 +68,7 @@ class Session final : public ConnectionEvents, public Responder, public std::ena
   std::function<void(Session*)> on_closed_;
   StateMachine<Life> life_{Life::kOpen};
   bool is_surplus_ = false;
+  std::string peer_key_;                                             // empty behind a unix: address
   std::atomic<std::chrono::steady_clock::time_point> idle_since_{};  // the clock's epoch while a request is under way
 
   // Of the request under way.

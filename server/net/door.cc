@@ -54,6 +54,7 @@ struct Door::Impl {
   struct Running {
     PeerIdentity peer;
     std::shared_ptr<PeerCounts> counts;  ///< of its peer, which counts who holds it; null: FrameLimits hold it
+    std::string name;                    ///< of the other end of its pair
   };
 
   Impl(const DoorOptions& how, std::unique_ptr<ConnectionAcceptor> listening)
@@ -101,7 +102,7 @@ void Door::Impl::PassOn(Greeted greeted) {
   }
   {
     const MutexLock lock(mutex);
-    running[number] = {.peer = greeted.peer, .counts = std::move(greeted.counts)};
+    running[number] = {.peer = greeted.peer, .counts = std::move(greeted.counts), .name = std::move(pair->our_name)};
   }
   relays[number % relays.size()]->Add(number, std::move(greeted.socket), std::move(pair->ours), std::move(limits));
   take({.socket = pair->theirs.Release(),
@@ -155,7 +156,7 @@ std::optional<PeerIdentity> Door::Find(std::string_view peer) const {
   if (!number) return std::nullopt;
   const MutexLock lock(impl_->mutex);
   const auto found = impl_->running.find(*number);
-  if (found == impl_->running.end()) return std::nullopt;
+  if (found == impl_->running.end() || !peer.ends_with(found->second.name)) return std::nullopt;
   return found->second.peer;
 }
 

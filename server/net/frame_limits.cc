@@ -10,6 +10,9 @@ using namespace frame_flags;
 
 /// The window of the stream and of the connection, and a PING with which some clients measure.
 constexpr int kAnswersToData = 3;
+/// The windows that a client of gRPC opens for a call before anything of its answer has come, and the reset of one that
+/// the server has ended first.
+constexpr int kAnswersToCall = 3;
 constexpr int kMostAnswers = 10'000;
 
 }  // namespace
@@ -59,6 +62,7 @@ Refusal FrameLimits::BeginHeaders(const FrameHead& head) {
     last_stream_ = head.stream;
     if (streams_.size() >= kMostStreams) return Refusal::kTooManyStreams;
     streams_.push_back({.id = head.stream, .is_answered = false});
+    num_answers_ = std::min(num_answers_ + kAnswersToCall, kMostAnswers);
   } else if (FindStream(head.stream) == streams_.end()) {
     if (const Refusal refusal = Control(); refusal != Refusal::kNone) return refusal;  // of a stream that has ended
   }
@@ -135,10 +139,11 @@ Refusal FrameLimits::OnServerPayload(std::string_view part, bool is_end) {
   return was_open && is_reset_for_cause_ ? Reset() : Refusal::kNone;
 }
 
-/// The peer's share is touched only by connections that do much: the others of a busy address are not punished.
+/// The peer's share is touched only by connections that do much: the others of a busy address are not punished. Who
+/// opens many connections has kOwnResets on each, which costs it a connection.
 Refusal FrameLimits::Reset() {
   if (!resets_.Take(now_)) return Refusal::kTooManyResets;
-  const bool is_one_too_many = peer_ != nullptr && resets_.is_half_empty() && !peer_->TakeReset(now_);
+  const bool is_one_too_many = peer_ != nullptr && resets_.has_given(kOwnResets) && !peer_->TakeReset(now_);
   return is_one_too_many ? Refusal::kTooManyResets : Refusal::kNone;
 }
 
@@ -163,7 +168,7 @@ std::vector<FrameLimits::OpenStream>::iterator FrameLimits::FindStream(std::uint
 Refusal FrameLimits::OnReset(std::uint32_t stream) {
   const auto found = FindStream(stream);
   const bool is_answered = found != streams_.end() && found->is_answered;
-  if (!CloseStream(stream)) return Control();
+  if (!CloseStream(stream)) return Answer();
   return is_answered ? Answer() : Reset();
 }
 

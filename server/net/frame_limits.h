@@ -24,7 +24,9 @@ class FrameLimits {
   using Time = TokenBucket::Time;
 
   static constexpr std::size_t kMostStreams = 128;
-  static constexpr double kResets = 100, kResets_per_s = 33;
+  /// Who gives up all its calls at once, and all that it asks next, keeps its connection.
+  static constexpr double kResets = 2.0 * kMostStreams, kResets_per_s = 33;
+  static constexpr double kOwnResets = 32;  ///< of these; beyond them they are its peer's, too
   static constexpr std::uint32_t kMostHeaderBlock_bytes = 16'384;
   static constexpr int kMostHeaderFrames = 8;
   static constexpr double kControl = 200, kControl_per_s = 50;
@@ -86,7 +88,7 @@ class FrameLimits {
   FrameReader client_reader_, server_reader_;
   Time now_{};
   TokenBucket resets_{kResets, kResets_per_s}, control_{kControl, kControl_per_s};
-  int num_answers_ = 0;  // frames of the client that the server's DATA explains
+  int num_answers_ = 0;  // frames of the client that its calls and the server's DATA explain
 
   std::vector<OpenStream> streams_;
   std::uint32_t last_stream_ = 0;

@@ -3,16 +3,19 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "server/net/descriptor.h"
 
 namespace dhpmap::net {
 
-/// Two sockets that are connected to each other. Both have abstract names of this process that end with the number, so
-/// that whoever has one can tell which connection it is.
+/// Two sockets that are connected to each other. Both have abstract names that end with the number, so that whoever has
+/// one can tell which connection it is. Each name is random: every user of the machine may read those that there are
+/// (/proc/net/unix), but takes none that there will be.
 struct NamedPair {
   Descriptor ours, theirs;
+  std::string our_name;
 };
 
 /// Nothing if there are no descriptors left, or another process has taken the names.

@@ -15,6 +15,8 @@ namespace dhpmap::net {
 class PeerCounts {
  public:
   using Time = TokenBucket::Time;
+  static constexpr double kResets = 1024, kResets_per_s = 132;
+  static constexpr double kControl = 2000, kControl_per_s = 500;
 
   /// False if the peer's connections have done more of it than they may.
   bool TakeReset(Time now) DHPMAP_EXCLUDES(mutex_);
@@ -25,8 +27,8 @@ class PeerCounts {
   bool IsAtRest(Time now) DHPMAP_EXCLUDES(mutex_);
 
   Mutex mutex_;
-  TokenBucket resets_ DHPMAP_GUARDED_BY(mutex_){400, 132};
-  TokenBucket control_ DHPMAP_GUARDED_BY(mutex_){2000, 500};
+  TokenBucket resets_ DHPMAP_GUARDED_BY(mutex_){kResets, kResets_per_s};
+  TokenBucket control_ DHPMAP_GUARDED_BY(mutex_){kControl, kControl_per_s};
 };
 
 /// The peers that have connections, or had them lately: who connects again does not begin anew. Thread-safe.

@@ -26,6 +26,7 @@ class TokenBucket {
     at_ = now;
   }
   /// Of the last Take or Fill.
+  [[nodiscard]] bool has_given(double tokens) const { return tokens_ < burst_ - tokens; }
   [[nodiscard]] bool is_half_empty() const { return tokens_ < burst_ / 2; }
   [[nodiscard]] bool is_full() const { return tokens_ >= burst_; }
 

@@ -79,6 +79,15 @@ TEST_F(TlsServer, AnswersAtBothDoorsWhoTrustsIt) {
   EXPECT_EQ(server_->Wait(), 0);
 }
 
+TEST_F(TlsServer, AnswersUnderItsNamesAloneOverTlsToo) {
+  StartWithTls();
+  TlsClient rest(PortOf(rest_), {.ca = own_.cert, .protocol = "http/1.1"});
+  ASSERT_TRUE(rest.Send("GET /healthz HTTP/1.1\r\nHost: evil.example\r\nOrigin: https://evil.example\r\n\r\n"));
+  const std::string answer = rest.Read();
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 421")) << answer;
+  EXPECT_NE(answer.find("HOST_NOT_ALLOWED"), std::string::npos);
+}
+
 TEST_F(TlsServer, ReadsItsFilesAgainAtSighupAndKeepsWhatItHasIfTheyDoNotFit) {
   StartWithTls();
   TlsClient before(PortOf(rest_), {.protocol = "http/1.1"});

@@ -85,7 +85,8 @@ StreamSource::~StreamSource() = default;
 
 Result<v1::StreamQueriesResponse> StreamSource::Answer(v1::StreamQueriesRequest query, double deadline_s) {
   const Clock::time_point end = Clock::now() + Seconds(caller_->DeadlineOr(deadline_s));
-  const MutexLock lock(mutex_);
+  const Turn turn(turns_, end);
+  if (!turn.is_ours()) return TooLate();
   Result<v1::StreamQueriesResponse> answer = AnswerBy(query, end);
   if (!answer.ok() && old_pin_ == OldPin::kRenew && IsOldPin(answer.status())) {
     if (Status status = PinAgain(end); !status.ok()) return status;
@@ -108,7 +109,8 @@ Result<std::int64_t> StreamSource::Pin(std::int64_t revision) {
   v1::StreamQueriesRequest query;
   if (revision >= 0) query.mutable_pin()->set_map(map());
   query.mutable_pin()->set_read_revision(std::max<std::int64_t>(revision, 0));
-  const MutexLock lock(mutex_);
+  const Turn turn(turns_, end);
+  if (!turn.is_ours()) return TooLate();
   pinned_ = 0;
   Result<v1::StreamQueriesResponse> answer = AnswerBy(query, end);
   if (!answer.ok()) return answer.status();

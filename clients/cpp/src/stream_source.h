@@ -6,12 +6,12 @@
 #include <string>
 
 #include "clients/cpp/src/source.h"
-#include "mapping/base/mutex.h"
+#include "clients/cpp/src/turn.h"
 
 namespace dhpmap::client {
 
 /// Asks on a StreamQueries, one query after the other. Opens it anew after a lost connection, pinned as before.
-/// Thread-safe: who comes second waits, longer than its deadline at most by the other's.
+/// Thread-safe: who comes second waits, until its deadline.
 class StreamSource final : public Source {
  public:
   /// What becomes of a pin whose 10 s are over: the query fails, or it is renewed.
@@ -29,18 +29,17 @@ class StreamSource final : public Source {
  private:
   class Stream;
 
-  Result<v1::StreamQueriesResponse> AnswerBy(v1::StreamQueriesRequest& query, Clock::time_point end)
-      DHPMAP_REQUIRES(mutex_);
-  Result<v1::StreamQueriesResponse> AnswerOnce(v1::StreamQueriesRequest& query, Clock::time_point end)
-      DHPMAP_REQUIRES(mutex_);
+  // By whoever has the turn.
+  Result<v1::StreamQueriesResponse> AnswerBy(v1::StreamQueriesRequest& query, Clock::time_point end);
+  Result<v1::StreamQueriesResponse> AnswerOnce(v1::StreamQueriesRequest& query, Clock::time_point end);
   /// What is pinned is pinned on this stream, too.
-  Status PinAgain(Clock::time_point end) DHPMAP_REQUIRES(mutex_);
+  Status PinAgain(Clock::time_point end);
 
   const std::shared_ptr<Caller> caller_;
   const OldPin old_pin_;
-  Mutex mutex_;
-  std::unique_ptr<Stream> stream_ DHPMAP_GUARDED_BY(mutex_);
-  std::int64_t pinned_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  OneAtATime turns_;
+  std::unique_ptr<Stream> stream_;
+  std::int64_t pinned_ = 0;
 };
 
 }  // namespace dhpmap::client

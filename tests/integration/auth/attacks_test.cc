@@ -44,6 +44,27 @@ TEST_F(Attacks, NoKeyAWrongOneAndOneOfNobodyAreToldApartByNothingButTheFirst) {
   EXPECT_EQ(over_grpc(unknown).error_message(), over_grpc("x").error_message());
 }
 
+TEST_F(Attacks, WrongKeysAreThrottledByAddressAtBothDoorsTogetherAndLockNobodyOut) {
+  const auto over_grpc = [&](const std::string& key) { return locked.Call(key, &MapStub::ListMaps).status(); };
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(locked.Ask("x", "GET", "/v1/maps").status, 401);
+    EXPECT_EQ(over_grpc("x").error_code(), grpc::UNAUTHENTICATED);
+  }
+  const grpc::Status throttled = over_grpc("x");
+  EXPECT_EQ(throttled.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(throttled.error_message().substr(0, 16), "TOO_MANY_LOGINS:");
+  for (const char* page : {"/v1/maps", "/metrics"}) {
+    const http::HttpAnswer answer = locked.Ask("x", "GET", page);
+    EXPECT_EQ(answer.status, 429);
+    EXPECT_NE(answer.body.find("TOO_MANY_LOGINS"), std::string::npos);
+    EXPECT_NE(answer.body.find("google.rpc.RetryInfo"), std::string::npos);
+    EXPECT_TRUE(answer.Header("Retry-After") == "3" || answer.Header("Retry-After") == "2") << "as it is waited";
+  }
+  EXPECT_EQ(locked.Ask("x", "POST", "/ui/login").status, 429);
+  EXPECT_EQ(locked.Ask(locked.key_of("viewer"), "GET", "/v1/maps").status, 200);
+  EXPECT_OK(over_grpc(locked.key_of("viewer")));
+}
+
 TEST_F(Attacks, TwoKeysOverOneConnectionAreTwoCallers) {
   std::vector<std::thread> threads;
   for (const char* role : {"viewer", "admin", "robot"}) {
@@ -181,6 +202,11 @@ TEST_F(Attacks, AnEditIsItsAuthors) {
   undo.set_edit(log->edits(0).name());
   EXPECT_EQ(locked.Call(bert, &EditStub::UndoEdits, undo).reason(), "NOT_YOUR_NAME");
   EXPECT_OK(locked.Call(anna, &EditStub::UndoEdits, undo));
+  v1::RestoreRevisionRequest back;
+  back.set_map("maps/a");
+  back.set_revision(made->revision() - 1);
+  EXPECT_EQ(locked.Call(bert, &EditStub::RestoreRevision, back).reason(), "NOT_YOUR_NAME") << "which undoes it, too";
+  EXPECT_OK(locked.Call(anna, &EditStub::RestoreRevision, back));
 }
 
 TEST_F(Attacks, AViewerTriesEditsAndMakesNone) {
@@ -220,6 +246,27 @@ TEST_F(Attacks, ARobotFeedsAndEndsItsOwnSessionAlone) {
   end.set_map("maps/a");
   end.set_session("robot");
   EXPECT_EQ(locked.Call(spot, &MappingStub::EndSession, end).reason(), "NOT_YOUR_SESSION");
+}
+
+TEST_F(Attacks, ARobotThatSaysTakeOverOnceMoreFeedsOn) {
+  Create("a");
+  const std::string spot = locked.MakeKey({.name = "spot", .role = auth::Role::kRobot});
+  grpc::ClientContext context;
+  LockedServer::Show(spot, context);
+  const auto stream = locked.server().mapping->IntegrateFrames(&context);
+  v1::IntegrateFramesRequest message;
+  message.set_map("maps/a");
+  message.set_session("spot");
+  message.set_take_over(true);
+  ASSERT_TRUE(stream->Write(message));
+  message.clear_session();  // which later messages need not repeat
+  ASSERT_TRUE(stream->Write(message));
+  stream->WritesDone();
+  v1::IntegrateFramesResponse answer;
+  while (stream->Read(&answer)) {
+  }
+  const std::string reason = ReasonOf(stream->Finish());
+  EXPECT_NE(reason, "NOT_YOUR_SESSION");
 }
 
 TEST_F(Attacks, StreamsEndWhenTheirKeyIsRevoked) {
@@ -266,46 +313,6 @@ TEST_F(Attacks, StreamsEndWhenTheirKeyIsRevoked) {
   }
   EXPECT_TRUE(Eventually([&] { return locked.gate().streams().size() == 0; })) << "and their places are free";
   EXPECT_EQ(locked.Ask(spot, "GET", "/v1/maps").status, 401);
-}
-
-TEST_F(Attacks, ALoginIsACookieThatCountsForTheServersOwnPagesAlone) {
-  using Headers = http::HttpClient::Headers;
-  EXPECT_EQ(locked.Ask("", "POST", "/ui/login").status, 401);
-  EXPECT_EQ(locked.Ask(locked.key_of("admin"), "GET", "/ui/login").status, 405);
-  EXPECT_EQ(locked.Ask(locked.key_of("admin"), "POST", "/ui/login", "", {{"Origin", "http://evil.example"}}).status,
-            403);
-  const http::HttpAnswer login = locked.Ask(locked.key_of("admin"), "POST", "/ui/login");
-  ASSERT_EQ(login.status, 204);
-  const std::string set = login.Header("Set-Cookie");
-  for (const char* part : {"__Host-dhpmap=", "; Path=/", "; HttpOnly", "; Secure", "; SameSite=Strict"}) {
-    EXPECT_NE(set.find(part), std::string::npos) << part;
-  }
-  const std::string cookie = set.substr(0, set.find(';'));
-  const auto ask = [&](Headers headers, const char* method = "GET") {
-    headers.emplace_back("Cookie", "theme=dark; " + cookie);
-    return locked.Ask("", method, "/v1/maps/none", "", headers).status;
-  };
-  EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-origin"}}), 404) << "as an admin";
-  EXPECT_EQ(ask({{"Origin", "http://localhost"}}, "DELETE"), 404);
-  EXPECT_EQ(ask({}), 403) << "no browser's page";
-  EXPECT_EQ(ask({{"Sec-Fetch-Site", "cross-site"}}), 403);
-  EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-site"}}), 403) << "another port of this machine";
-  EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-site"}, {"Origin", "http://localhost"}}), 403) << "whatever its Origin";
-  EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-origin"}, {"Origin", "http://evil.example"}}), 403);
-  EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-origin"}, {"Authorization", "Bearer x"}}), 400);
-  EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-origin"}, {"Cookie", cookie}}), 400) << "twice";
-  locked.Ask("", "POST", "/ui/logout", "", {{"Cookie", cookie}});
-  EXPECT_EQ(ask({{"Sec-Fetch-Site", "same-origin"}}), 401);
-}
-
-TEST_F(Attacks, ALoginEndsWithItsKey) {
-  const std::string anna = locked.MakeKey({.name = "anna"});
-  const std::string set = locked.Ask(anna, "POST", "/ui/login").Header("Set-Cookie");
-  const http::HttpClient::Headers headers = {{"Cookie", set.substr(0, set.find(';'))},
-                                             {"Sec-Fetch-Site", "same-origin"}};
-  EXPECT_EQ(locked.Ask("", "GET", "/v1/maps", "", headers).status, 200);
-  locked.Revoke("anna");
-  EXPECT_EQ(locked.Ask("", "GET", "/v1/maps", "", headers).status, 401);
 }
 
 TEST_F(Attacks, HealthAloneIsForAll) {

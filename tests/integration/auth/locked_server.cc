@@ -7,7 +7,7 @@
 
 namespace dhpmap::testing {
 
-LockedServer::LockedServer(const auth::CallLimits& limits) {
+LockedServer::LockedServer(const auth::CallLimits& limits, std::vector<std::string> allowed_origins) {
   (void)auth::ChangeKeyFile(file_, [](std::vector<auth::KeyRecord>&) { return Status::Ok(); });
   auto gate = auth::Gate::WithKeys({.key_file = file_, .limits = limits, .look_s = 0});
   EXPECT_OK(gate);
@@ -17,7 +17,8 @@ LockedServer::LockedServer(const auth::CallLimits& limits) {
     keys_[name] = MakeKey({.name = name, .role = role, .sessions = {"*"}});
   }
   server_ = std::make_unique<TestServer>(*store_, OpenMapOptions{}, GrpcOptions{.gate = gate_});
-  auto gateway = Gateway::Start({.address = "127.0.0.1:0"}, server_->grpc().InProcessChannel(), {.gate = gate_});
+  auto gateway = Gateway::Start({.address = "127.0.0.1:0", .allowed_origins = std::move(allowed_origins)},
+                                server_->grpc().InProcessChannel(), {.gate = gate_});
   EXPECT_OK(gateway);
   gateway_ = *std::move(gateway);
 }

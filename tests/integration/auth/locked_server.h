@@ -22,7 +22,7 @@ namespace dhpmap::testing {
 /// looks at the file when it is told to.
 class LockedServer {
  public:
-  explicit LockedServer(const auth::CallLimits& limits = {});
+  explicit LockedServer(const auth::CallLimits& limits = {}, std::vector<std::string> allowed_origins = {});
 
   /// A new key, good at once.
   std::string MakeKey(const auth::NewKey& key);
@@ -58,7 +58,7 @@ class LockedServer {
   TempDir folder_;
   const std::string file_ = (folder_.path() / "keys").string();
   std::map<std::string, std::string> keys_;
-  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
+  std::unique_ptr<MapStore> store_ = OpenSqliteStore((folder_.path() / "maps.db").string()).value();
   std::shared_ptr<auth::Gate> gate_;
   std::unique_ptr<TestServer> server_;
   std::unique_ptr<Gateway> gateway_;

@@ -84,7 +84,7 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/wire", {"mapping", "server/app", "server/base", "proto"}},
       {"server/record", {"mapping/base", "mapping/map", "server/app", "server/wire", "proto"}},
       {"server/auth/keys", {"mapping/base"}},
-      {"server/auth", {"mapping/base", "server/auth/keys", "proto"}},
+      {"server/auth", {"mapping/base", "server/auth/keys", "server/base", "proto"}},
       {"server/net", {"mapping/base", "server/log"}},
       {"server/grpc",
        {"mapping", "server/app", "server/auth", "server/base", "server/net", "server/wire", "server/metrics",

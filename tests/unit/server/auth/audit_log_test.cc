@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -65,6 +67,43 @@ TEST_F(AuditLogTest, AFloodOfRefusalsIsCountedAndHidesNothingElse) {
   EXPECT_TRUE(log->Write({.rpc = "/x", .decision = refused}).ok());
   EXPECT_EQ(Lines().size(), 13u);
   EXPECT_EQ(Lines()[12].find("left_out"), std::string::npos);
+}
+
+TEST_F(AuditLogTest, WritesOnInANewFileWhenItsOwnHasBeenRenamed) {
+  const auto log = Open();
+  EXPECT_TRUE(log->Write({.principal = &anna, .rpc = "/before"}).ok());
+  const std::filesystem::path old = folder.path() / "audit.jsonl.1";
+  std::filesystem::rename(path, old);
+  EXPECT_TRUE(log->Write({.principal = &anna, .rpc = "/between"}).ok());
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_TRUE(log->Reopen().ok());
+  EXPECT_TRUE(log->Write({.principal = &anna, .rpc = "/after"}).ok());
+  ASSERT_EQ(Lines().size(), 1u);
+  EXPECT_NE(Lines()[0].find("/after"), std::string::npos);
+  std::ifstream file(old);
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+  struct stat status {};
+  ASSERT_EQ(stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777, 0600u);
+}
+
+TEST_F(AuditLogTest, WritesOnInTheOldFileWhereTheNewOneCannotBeOpened) {
+  const auto log = Open();
+  const std::filesystem::path old = folder.path() / "audit.jsonl.1";
+  std::filesystem::rename(path, old);
+  std::filesystem::create_symlink(folder.path() / "elsewhere", path);
+  EXPECT_EQ(log->Reopen().reason(), Reason("BAD_KEY_FILE"));
+  EXPECT_TRUE(log->Write({.principal = &anna, .rpc = "/x"}).ok());
+  EXPECT_GT(std::filesystem::file_size(old), 0u);
+}
+
+TEST(AuditLog, SaysThatItCannotBeWritten) {
+  const auto log = AuditLog::Open("/dev/full", SystemWallClock());
+  ASSERT_TRUE(log.ok()) << log.status().ToString();
+  const Status written = (*log)->Write({.rpc = "/x"});
+  EXPECT_EQ(written.code(), StatusCode::kUnavailable);
+  EXPECT_EQ(written.reason(), Reason("NOT_STORED"));
 }
 
 TEST_F(AuditLogTest, LinksAreRefused) {

@@ -78,6 +78,45 @@ TEST_F(GateTest, OneKeyLetsIn) {
   EXPECT_EQ(gate->Authenticate({shown, shown}).status().reason(), Reason("AMBIGUOUS_CREDENTIAL"));
 }
 
+TEST_F(GateTest, WrongKeysOfAnAddressAreThrottledAndRightOnesAreLetIn) {
+  const auto gate = Open();
+  const auto from = [&](std::string_view address, const std::string& key) {
+    const std::string shown = "Bearer " + key;
+    return gate->AuthenticateFrom(address, {shown}).status();
+  };
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(from("192.0.2.7", "x").reason(), Reason("BAD_CREDENTIAL"));
+  const Status throttled = from("192.0.2.7", "x");
+  EXPECT_EQ(throttled.code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(throttled.reason(), Reason("TOO_MANY_LOGINS"));
+  EXPECT_EQ(throttled.metadata(), (std::vector<std::pair<std::string, std::string>>{{"retry_after_s", "3"}}));
+  EXPECT_TRUE(from("192.0.2.7", anna).ok()) << "nobody is locked out";
+  EXPECT_EQ(gate->AuthenticateFrom("192.0.2.7", {}).status().reason(), Reason("NO_CREDENTIAL")) << "which is no guess";
+  EXPECT_EQ(from("192.0.2.8", "x").reason(), Reason("BAD_CREDENTIAL")) << "another address";
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(from("", "x").reason(), Reason("BAD_CREDENTIAL")) << "behind unix:";
+  passing_s += 3;
+  EXPECT_EQ(from("192.0.2.7", "x").reason(), Reason("BAD_CREDENTIAL"));
+  EXPECT_EQ(from("192.0.2.7", "x").reason(), Reason("TOO_MANY_LOGINS"));
+  Revoke("anna");
+  gate->Look();
+  for (int i = 0; i < 30; ++i)
+    EXPECT_EQ(from("192.0.2.9", anna).reason(), Reason("KEY_REVOKED")) << "who had it, knows";
+}
+
+TEST_F(GateTest, TheTableOfWrongKeysIsBounded) {
+  FailedLogins failed([this] { return passing_s; });
+  const auto fail = [&](std::size_t i) { return failed.Count("2001:db8:" + std::to_string(i) + "::/64"); };
+  for (std::size_t i = 0; i < 3 * FailedLogins::kMostAddresses; ++i) EXPECT_TRUE(fail(i).ok());
+  EXPECT_LE(failed.num_addresses(), FailedLogins::kMostAddresses);
+  for (int i = 0; i < 30; ++i) (void)failed.Count("192.0.2.7");
+  passing_s += 3;  // the others are at rest again, this one is not
+  for (std::size_t i = 0; failed.num_addresses() < FailedLogins::kMostAddresses; ++i) EXPECT_TRUE(fail(i).ok());
+  EXPECT_TRUE(failed.Count("192.0.2.7").ok());
+  passing_s += 3;
+  EXPECT_TRUE(failed.Count("192.0.2.1").ok()) << "those at rest make room for it";
+  EXPECT_TRUE(failed.Count("192.0.2.7").ok());
+  EXPECT_EQ(failed.Count("192.0.2.7").reason(), Reason("TOO_MANY_LOGINS")) << "which has not been forgotten";
+}
+
 TEST_F(GateTest, TakesUpWhatHasBecomeOfTheFile) {
   const auto gate = Open();
   const std::string bert = Add("bert");
@@ -180,6 +219,39 @@ TEST_F(GateTest, NobodyHasMoreStreamsOrCallsThanOneMay) {
   passing_s += 1000;
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(gate->Count(*principal).ok());
   EXPECT_FALSE(gate->Count(*principal).ok()) << "no more is saved up";
+}
+
+TEST_F(GateTest, WhatCannotBeWrittenDownIsRefusedWhereThatIsRequired) {
+  for (const bool is_required : {false, true}) {
+    const auto gate = Gate::WithKeys({.key_file = file,
+                                      .audit_file = "/dev/full",
+                                      .is_audit_required = is_required,
+                                      .look_s = 0,
+                                      .on_fault = [this](const Status& fault) { faults.push_back(fault); }});
+    ASSERT_TRUE(gate.ok());
+    faults.clear();
+    EXPECT_EQ((*gate)->Audit({.rpc = "/x"}).ok(), !is_required);
+    const Status refused = Status(StatusCode::kUnauthenticated, "no").WithReason("NO_CREDENTIAL");
+    EXPECT_TRUE((*gate)->Audit({.rpc = "/x", .decision = refused}).ok()) << "it is refused anyway";
+    EXPECT_EQ(faults.size(), 1u) << "told once";
+  }
+}
+
+TEST_F(GateTest, NobodyHasAllBytesThatMayBeInFlight) {
+  const auto all = std::make_shared<ByteBudget>(1000, 10);
+  const auto gate = Open();
+  const PrincipalPtr principal = *gate->AuthenticateKey(anna);
+  const auto budget = gate->BudgetOf(*principal, all);
+  EXPECT_EQ(budget->limit_bytes(), 500u);
+  EXPECT_EQ(budget->free_bytes(), 10u);
+  EXPECT_TRUE(budget->TryTake(500));
+  EXPECT_FALSE(budget->TryTake(1));
+  EXPECT_EQ(all->used_bytes(), 500u);
+  EXPECT_EQ(gate->BudgetOf(*principal, all), budget) << "of all its keys and doors";
+  Principal other = *principal;
+  other.name = "bert";
+  EXPECT_TRUE(gate->BudgetOf(other, all)->TryTake(500));
+  EXPECT_EQ(Gate::Open()->BudgetOf(*principal, all), all);
 }
 
 TEST_F(GateTest, ATicketIsGoodOnceAndNoLongerThanItsCall) {

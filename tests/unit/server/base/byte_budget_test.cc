@@ -24,6 +24,20 @@ TEST(ByteBudget, GivesOutNoMoreThanThereIs) {
   EXPECT_FALSE(second.Resize(~std::size_t{0})) << "no overflow";
 }
 
+TEST(ByteBudget, OneWithinAnotherTakesOfBothOrOfNone) {
+  const auto all = std::make_shared<ByteBudget>(100);
+  ByteBudget first(60, 0, all), second(60, 0, all);
+  EXPECT_FALSE(first.TryTake(61));
+  EXPECT_EQ(all->used_bytes(), 0u);
+  EXPECT_TRUE(first.TryTake(60));
+  EXPECT_EQ(all->used_bytes(), 60u);
+  EXPECT_FALSE(second.TryTake(41)) << "there is not so much left for all";
+  EXPECT_EQ(second.used_bytes(), 0u);
+  EXPECT_TRUE(second.TryTake(40));
+  first.GiveBack(60);
+  EXPECT_EQ(all->used_bytes(), 40u);
+}
+
 TEST(ByteBudget, ASharesEndGivesItBack) {
   ByteBudget budget(100);
   {

@@ -41,6 +41,21 @@ TEST(ServerConfig, EveryBadKeyIsNamedAtOnce) {
                                    "store.commit_s", "map_defaults.voxel_size_m"}));
 }
 
+TEST(ServerConfig, OriginsAreAsBrowsersSendThem) {
+  ServerConfig config;
+  for (const char* origins : {"", "https://fleet.example", "http://localhost:3000, https://a-b.example:8443",
+                              "http://[::1]:3000", "http://127.0.0.1:8081"}) {
+    config.http.allowed_origins = origins;
+    EXPECT_TRUE(config.Validate().ok()) << origins;
+  }
+  for (const char* origins : {"*", "null", "fleet.example", "https://fleet.example/", "https://*.example",
+                              "https://Fleet.example", "https://fleet.example:443", "http://fleet.example:80",
+                              "https://fleet.example:", "ftp://fleet.example", "https://a.example,b.example"}) {
+    config.http.allowed_origins = origins;
+    EXPECT_EQ(Fields(config.Validate()), std::set<std::string>{"http.allowed_origins"}) << origins;
+  }
+}
+
 TEST(ServerConfig, OtherMachinesAreLetInOnlyWhenToldSo) {
   ServerConfig config;
   for (const char* address : {"127.0.0.1:0", "localhost:1", "[::1]:65535", "127.1.2.3:50051"}) {

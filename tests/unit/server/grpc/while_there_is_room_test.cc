@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "server/grpc/call_runner.h"
+#include "server/grpc/map_quota.h"
 #include "storage/store.h"
 #include "tests/support/eventually.h"
 
@@ -45,7 +46,8 @@ class WhileThereIsRoomTest : public ::testing::Test {
   GrpcOptions options_;
   GrpcObserver observer_;
   std::atomic<int> num_checks_ = 0;
-  ServiceContext context_{*registry_, lanes_, options_, observer_, held_, num_checks_};
+  MapQuota quota_{*options_.gate, *registry_};
+  ServiceContext context_{*registry_, lanes_, options_, observer_, held_, num_checks_, quota_};
   std::stop_source stop_;
 };
 

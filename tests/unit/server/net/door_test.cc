@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/net/frame_limits.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/server/http/http_client.h"
 #include "tests/unit/server/net/door_fixture.h"
@@ -91,7 +92,14 @@ TEST_F(DoorTest, NamesTheClientBehindTheNameOfTheSocket) {
   const auto found = door_->Find(as_grpc_says);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->address, inner->peer.address);
-  EXPECT_FALSE(door_->Find("unix-abstract:dhpmap-guard-0000000000000000-c1"));
+  const std::size_t digits = as_grpc_says.rfind('c');
+  EXPECT_FALSE(door_->Find("unix-abstract:dhpmap-guard-0000000000000000-" + as_grpc_says.substr(digits)));
+  HttpClient other(door_->port());
+  ASSERT_TRUE(other.SendRaw(kPreface));
+  const auto inner_of_other = behind_.Next();
+  ASSERT_TRUE(inner_of_other);
+  ASSERT_EQ(::getpeername(inner_of_other->socket.get(), reinterpret_cast<sockaddr*>(&name), &(size = sizeof name)), 0);
+  EXPECT_NE(std::string(&name.sun_path[1], 29), as_grpc_says.substr(14, 29)) << "no name tells the next";
   inner->socket = Descriptor();
   EXPECT_TRUE(testing::Eventually([&] { return !door_->Find(as_grpc_says); }));
 }
@@ -130,7 +138,8 @@ TEST_F(DoorTest, EndsAFloodWithAWordAndLeavesOthersAlone) {
   const auto inner_of_other = behind_.Next();
   ASSERT_TRUE(inner_of_other);
   std::string flood = kPreface;
-  for (std::uint32_t stream = 1; stream < 400; stream += 2) {
+  const auto num_resets = static_cast<std::uint32_t>(FrameLimits::kResets) + 100;
+  for (std::uint32_t stream = 1; stream < 2 * num_resets; stream += 2) {
     flood += FrameBytes(FrameType::kHeaders, kEndHeaders, stream, testing::CallFields("/a/b"));
     flood += FrameBytes(FrameType::kReset, 0, stream, testing::BigEndianBytes(8, 4));
   }

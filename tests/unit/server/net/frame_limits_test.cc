@@ -43,6 +43,7 @@ class FrameLimitsTest : public ::testing::Test {
 };
 
 using Ends = std::pair<int, Refusal>;
+constexpr int kResets = static_cast<int>(FrameLimits::kResets);
 
 TEST_F(FrameLimitsTest, RefusesThe129thOpenStreamThoughNothingWasAcknowledged) {
   EXPECT_EQ(Until([&](int i) { return Open(StreamOf(i)); }), Ends(128, Refusal::kTooManyStreams));
@@ -58,14 +59,37 @@ TEST_F(FrameLimitsTest, TakesStreamsWithoutEndAsTheServerEndsThem) {
   EXPECT_EQ(limits_.num_streams(), 0u);
 }
 
-TEST_F(FrameLimitsTest, EndsRapidResetsAfterAHundredAndTakes33ASecond) {
+TEST_F(FrameLimitsTest, LetsAClientGiveUpAllItsCallsAtOnceTwice) {
+  int next = 0;
+  for (int round = 0; round < 2; ++round) {
+    const int first = next;
+    for (std::size_t i = 0; i < FrameLimits::kMostStreams; ++i) ASSERT_EQ(Open(StreamOf(next++)), Refusal::kNone);
+    for (int i = first; i < next; ++i) ASSERT_EQ(Client(Reset(StreamOf(i))), Refusal::kNone) << i;
+  }
+}
+
+TEST_F(FrameLimitsTest, TakesTheWindowsOfAsManyCallsAtOnceAsThereMayBe) {
+  for (std::size_t i = 0; i < FrameLimits::kMostStreams; ++i) {  // as gRPC's Python client begins its calls
+    const std::uint32_t stream = StreamOf(static_cast<int>(i));
+    ASSERT_EQ(Open(stream), Refusal::kNone);
+    ASSERT_EQ(Client(FrameBytes(FrameType::kWindowUpdate, 0, stream, "1234")), Refusal::kNone) << i;
+    ASSERT_EQ(Client(FrameBytes(FrameType::kWindowUpdate, 0, 0, "1234")), Refusal::kNone) << i;
+  }
+  for (std::size_t i = 0; i < FrameLimits::kMostStreams; ++i) {  // and ends those that the server has refused
+    const std::uint32_t stream = StreamOf(static_cast<int>(i));
+    ASSERT_EQ(Server(FrameBytes(FrameType::kHeaders, kEndHeaders | kEndStream, stream, "\x88")), Refusal::kNone);
+    ASSERT_EQ(Client(Reset(stream)), Refusal::kNone) << i;
+  }
+}
+
+TEST_F(FrameLimitsTest, EndsRapidResetsAfterABurstAndTakes33ASecond) {
   int next = 0;
   const auto open_and_reset = [&](int) {
     const std::uint32_t stream = StreamOf(next++);
     const Refusal refusal = Open(stream);
     return refusal != Refusal::kNone ? refusal : Client(Reset(stream));
   };
-  EXPECT_EQ(Until(open_and_reset), Ends(100, Refusal::kTooManyResets));
+  EXPECT_EQ(Until(open_and_reset), Ends(kResets, Refusal::kTooManyResets));
   FrameLimits other(nullptr);
   for (int i = 0; i < 3000; ++i) {  // a planner that gives up its calls, 30 a second
     now_ += milliseconds(33);
@@ -89,7 +113,7 @@ TEST_F(FrameLimitsTest, CountsResetsThatTheClientMakesTheServerSend) {
     const Refusal refusal = Open(StreamOf(i));
     return refusal != Refusal::kNone ? refusal : Server(Reset(StreamOf(i), 1));
   };
-  EXPECT_EQ(Until(made_to_reset), Ends(100, Refusal::kTooManyResets));
+  EXPECT_EQ(Until(made_to_reset), Ends(kResets, Refusal::kTooManyResets));
 }
 
 TEST_F(FrameLimitsTest, DoesNotCountTheResetWithWhichGrpcEndsACallEarly) {
@@ -208,8 +232,7 @@ TEST_F(FrameLimitsTest, LetsConnectionsOfOnePeerResetLittleMoreThanOneMay) {
   };
   int num_resets = 0;
   for (int i = 0; i < 20; ++i) num_resets += reset_all();
-  // Half of its own hundred each, which others of the address may need, and 400 together.
-  EXPECT_EQ(num_resets, 20 * 50 + 400);
+  EXPECT_EQ(num_resets, 20 * static_cast<int>(FrameLimits::kOwnResets) + static_cast<int>(PeerCounts::kResets));
 }
 
 TEST(PeerTable, BoundsTheConnectionsOfOnePeerAndForgetsWhoIsAtRest) {

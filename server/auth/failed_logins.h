@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "mapping/base/mutex.h"
+#include "mapping/base/status.h"
+#include "server/auth/call_limits.h"
+
+namespace dhpmap::auth {
+
+/// How many wrong keys each address shows: kMost at once, and as many a minute for good. Nothing is locked by it:
+/// whoever shows a right key is not asked for here. Bounded: beyond kMostAddresses those that have been at rest are
+/// forgotten, or all, who may then fail as often again. Thread-safe.
+class FailedLogins {
+ public:
+  static constexpr double kMost = 20, kPer_s = kMost / 60;
+  static constexpr std::size_t kMostAddresses = 4096;
+
+  explicit FailedLogins(PassingTime now_s) : now_s_(std::move(now_s)) {}
+
+  /// One wrong key more from there. RESOURCE_EXHAUSTED, reason TOO_MANY_LOGINS, if there were too many before it; the
+  /// metadata say after how many s (`retry_after_s`) the next is answered.
+  Status Count(std::string_view address) DHPMAP_EXCLUDES(mutex_);
+  [[nodiscard]] std::size_t num_addresses() const DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  struct Bucket {
+    double left = kMost;
+    double filled_s = 0;
+  };
+  static double LeftAt(double now_s, const Bucket& bucket);
+  void MakeRoom(double now_s) DHPMAP_REQUIRES(mutex_);
+
+  const PassingTime now_s_;
+  mutable Mutex mutex_;
+  std::map<std::string, Bucket, std::less<>> buckets_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+}  // namespace dhpmap::auth

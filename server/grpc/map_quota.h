@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mapping/base/mutex.h"
+#include "mapping/base/result.h"
+#include "server/app/maps/map_registry.h"
+#include "server/auth/gate.h"
+#include "server/grpc/door_call.h"
+
+namespace dhpmap {
+
+/// How many maps each principal may make, and how large those may be together that it has made, as auth::CallLimits
+/// say. Without keys there is no quota, and maps that nobody is known to have made are in none. Thread-safe.
+class MapQuota {
+ public:
+  /// How long a sum of bytes stands: it takes a look into the store for each map.
+  static constexpr double kSumStands_s = 10;
+
+  MapQuota(auth::Gate& gate, MapRegistry& registry, auth::PassingTime now_s = auth::SystemPassingTime());
+
+  /// A map that somebody is making, which counts as one that there is.
+  class Making {
+   public:
+    Making(MapQuota& quota, std::string principal) : quota_(quota), principal_(std::move(principal)) {}
+    ~Making() { quota_.GiveBack(principal_); }
+    Making(const Making&) = delete;
+    Making& operator=(const Making&) = delete;
+    /// It is there. What cannot be written down is logged: the map counts until the next start.
+    void Done(const MapSummary& map) { quota_.Note(principal_, map); }
+
+   private:
+    MapQuota& quota_;
+    const std::string principal_;
+  };
+  /// RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if the caller has made as many or as large maps as one may; null without
+  /// keys. Reads from the store.
+  Result<std::unique_ptr<Making>> Begin(const Caller& caller) DHPMAP_EXCLUDES(mutex_);
+  /// Before frames go into a map: likewise of whoever has made it, as to its size.
+  Status CheckFeed(const MapInfo& map) DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  struct Sum {
+    std::int64_t bytes = 0;
+    double at_s = 0;
+  };
+  void GiveBack(const std::string& principal) DHPMAP_EXCLUDES(mutex_);
+  void Note(const std::string& principal, const MapSummary& map);
+  [[nodiscard]] std::vector<std::string> MapsOf(const std::string& principal) const;
+  Status CheckDisk(const std::string& principal, const std::vector<std::string>& maps) DHPMAP_EXCLUDES(mutex_);
+
+  auth::Gate& gate_;
+  MapRegistry& registry_;
+  const auth::PassingTime now_s_;
+  Mutex mutex_;
+  std::map<std::string, int> num_making_ DHPMAP_GUARDED_BY(mutex_);
+  std::map<std::string, Sum> sums_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+}  // namespace dhpmap
