@@ -1,75 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wiring: store -> registry -> gRPC door -> REST door, until SIGTERM, SIGINT, SIGHUP or SIGUSR1.
+// Wiring: store -> registry -> gRPC door -> REST door, until SIGTERM, SIGINT or SIGUSR1; SIGHUP reads settings again.
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "server/config/command_line.h"
+#include "server/end_signals.h"
 #include "server/gateway/gateway.h"
 #include "server/grpc/grpc_server.h"
 #include "server/log/log.h"
 #include "server/metrics/metrics.h"
-#include "server/net/tls_watch.h"
 #include "server/options.h"
+#include "server/reload.h"
+#include "server/service/inherited_sockets.h"
+#include "server/service/notifier.h"
+#include "server/service/watchdog.h"
+#include "server/start_check.h"
 #include "storage/store.h"
 
 namespace dhpmap {
 namespace {
-
-bool IsIgnored(int signal) {
-  struct sigaction action = {};
-  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
-}
-
-/// Blocks the signals that end the server in this thread and all it starts, for WaitForSignal to take. Under nohup
-/// SIGHUP stays ignored.
-sigset_t BlockEndSignals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) sigaddset(&signals, signal);
-  if (!IsIgnored(SIGHUP)) sigaddset(&signals, SIGHUP);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
-  return signals;
-}
-
-void TellReload(const net::TlsContext& tls, const Status& reloaded) {
-  if (reloaded.ok()) return LogInfo("TLS: now with the certificate of " + tls.Describe());
-  LogError("TLS: goes on with the certificate of " + tls.Describe() + ": " + reloaded.ToString());
-}
-
-/// What logrotate has renamed is left, and what TLS reads is read again.
-void Refresh(net::TlsContext* tls, auth::Gate& gate) {
-  if (tls != nullptr) TellReload(*tls, tls->Reload());
-  const Status reopened = gate.ReopenAudit();
-  if (!reopened.ok()) LogError("the audit log goes on in its old file: " + reopened.ToString());
-}
-
-/// With TLS or an audit log, SIGHUP reads or opens its files again, as service managers have it; without either, it
-/// ends the server.
-/// From here on a second SIGTERM or SIGINT ends the process at once. A second SIGHUP does not: a terminal that is
-/// closed sends more than one.
-int WaitForSignal(const sigset_t& signals, net::TlsContext* tls, auth::Gate& gate) {
-  int signal = 0;
-  do {
-    if (signal == SIGHUP) Refresh(tls, gate);
-    sigwait(&signals, &signal);
-  } while (signal == SIGHUP && (tls != nullptr || gate.has_audit()));
-  sigset_t impatient;
-  sigemptyset(&impatient);
-  sigaddset(&impatient, SIGTERM);
-  sigaddset(&impatient, SIGINT);
-  pthread_sigmask(SIG_UNBLOCK, &impatient, nullptr);
-  return signal;
-}
 
 /// To as many file descriptors as we may have: most systems allow a process a thousand at first, and hundreds of
 /// thousands if it asks. gRPC's door takes no more connections for good once it has met the limit.
@@ -80,16 +39,55 @@ void RaiseDescriptorLimit() {
   if (setrlimit(RLIMIT_NOFILE, &limit) != 0) LogWarning("the limit of file descriptors cannot be raised");
 }
 
-std::unique_ptr<net::TlsWatch> WatchFiles(const std::shared_ptr<net::TlsContext>& tls) {
-  if (tls == nullptr) return nullptr;
-  LogInfo("TLS: with the certificate of " + tls->Describe());
-  return std::make_unique<net::TlsWatch>(tls, std::chrono::seconds(1),
-                                         [tls](const Status& reloaded) { TellReload(*tls, reloaded); });
+/// What both doors get besides their options.
+struct Service {
+  const Launch& launch;
+  const service::Notifier& manager;
+  const service::InheritedSockets& sockets;
+  const sigset_t& signals;
+};
+
+/// As whoever started the server wants to know it.
+std::string DoorsText(const ServerConfig& config, const GrpcServer& grpc, const Gateway& gateway) {
+  return "gRPC on " + WithPort(config.grpc.address, grpc.port()) + ", REST on " +
+         (config.tls.is_on() ? "https" : "http") + "://" + WithPort(config.http.address, gateway.port());
 }
 
-Status Serve(const ServerConfig& config, const sigset_t& signals) {
+/// Fed by a task on the lane that answers queries; nothing if nobody watches.
+std::optional<service::Watchdog> FeedWatchdog(const Service& service, GrpcServer& grpc) {
+  const auto time = service::WatchdogTime(service.launch.environment, ::getpid());
+  if (!time || !service.manager.is_heard()) return std::nullopt;
+  return std::optional<service::Watchdog>(
+      std::in_place, *time,
+      service::LanePulse([&grpc](std::function<void()> work) { return grpc.PostQuick(std::move(work)); },
+                         [&manager = service.manager] { manager.TellAlive(); }));
+}
+
+/// Tells that both doors are open, and waits for the end. Under a service manager, with TLS or with an audit log,
+/// SIGHUP reads settings again; else it is that of a terminal that is closed, and ends the server.
+int ServeUntilTold(const Service& service, const std::string& doors, net::TlsContext* tls, auth::Gate& gate) {
+  std::printf("dhpmap-server: %s\n", doors.c_str());
+  std::fflush(stdout);
+  service.manager.TellReady(doors);
+  std::function<void()> on_hang_up;
+  if (tls != nullptr || gate.has_audit() || service.manager.is_heard()) {
+    on_hang_up = [&, tls] {
+      service.manager.TellReloading();
+      ReloadSettings(service.launch, tls, gate);
+      service.manager.TellReady(doors);
+    };
+  }
+  return AwaitEnd(service.signals, on_hang_up);
+}
+
+Status Serve(const ServerConfig& config, const Service& service) {
   Metrics metrics;
-  DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(config.db, StoreOptionsOf(config)));
+  SqliteStoreOptions store_options = StoreOptionsOf(config);
+  store_options.on_progress = [&manager = service.manager](const std::string& message) {
+    LogInfo(message);
+    manager.TellStarting(message);
+  };
+  DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(config.db, store_options));
   DHPMAP_ASSIGN_OR_RETURN(const auto records, RecordDirOf(config));
   DHPMAP_ASSIGN_OR_RETURN(const auto spill, SpillOf(config));
   DHPMAP_ASSIGN_OR_RETURN(
@@ -101,13 +99,16 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   const auto inflight = InflightBudgetOf(config);
   DHPMAP_ASSIGN_OR_RETURN(const auto gate, GateOf(config));
   DHPMAP_ASSIGN_OR_RETURN(const auto tls, TlsOf(config));
-  const auto tls_watch = WatchFiles(tls);
-  DHPMAP_ASSIGN_OR_RETURN(
-      const auto grpc, GrpcServer::Start(GrpcOptionsOf(config, inflight, gate, tls), *registry, ObserverOf(metrics)));
+  const auto tls_watch = WatchTlsFiles(tls);
+  GrpcOptions grpc_options = GrpcOptionsOf(config, inflight, gate, tls);
+  grpc_options.sockets = service.sockets.grpc;
+  DHPMAP_ASSIGN_OR_RETURN(const auto grpc, GrpcServer::Start(grpc_options, *registry, ObserverOf(metrics)));
+  GatewayOptions gateway_options = GatewayOptionsOf(config, inflight, metrics, tls);
+  gateway_options.sockets = service.sockets.rest;
   DHPMAP_ASSIGN_OR_RETURN(
       const auto gateway,
       Gateway::Start(
-          GatewayOptionsOf(config, inflight, metrics, tls), grpc->InProcessChannel(),
+          gateway_options, grpc->InProcessChannel(),
           {.is_ready = [&] { return grpc->is_serving() && !IsStoreBehind(*registry, config.store.max_behind_s); },
            .metrics_text =
                [&] {
@@ -117,12 +118,11 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
                },
            .gate = gate}));
   grpc->SetServing(true);
-  std::printf("dhpmap-server: gRPC on %s, REST on %s://%s\n", WithPort(config.grpc.address, grpc->port()).c_str(),
-              tls != nullptr ? "https" : "http", WithPort(config.http.address, gateway->port()).c_str());
-  std::fflush(stdout);
-
-  const int signal = WaitForSignal(signals, tls.get(), *gate);
+  auto watchdog = FeedWatchdog(service, *grpc);
+  const int signal = ServeUntilTold(service, DoorsText(config, *grpc, *gateway), tls.get(), *gate);
   LogInfo("got signal " + std::to_string(signal) + ": ending streams, storing what is fused");
+  service.manager.TellStopping("storing what is fused");
+  watchdog.reset();
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(config.shutdown_grace_s);
   grpc->Drain();
   gateway->Shutdown(config.shutdown_grace_s);
@@ -131,21 +131,36 @@ Status Serve(const ServerConfig& config, const sigset_t& signals) {
   return registry->Shutdown();
 }
 
+int RefuseToStart(const Status& status) {
+  std::fprintf(stderr, "dhpmap-server: %s\n", status.ToString().c_str());
+  return 2;
+}
+
 int Main(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
   const auto invocation = ParseCommandLine(arguments, environment);
-  if (!invocation.ok()) {
-    std::fprintf(stderr, "dhpmap-server: %s\n", invocation.status().ToString().c_str());
-    return 2;
-  }
+  if (!invocation.ok()) return RefuseToStart(invocation.status());
   if (invocation->is_done) {
     std::fputs(invocation->text.c_str(), stdout);
     return 0;
   }
-  InitLog(LogOptionsOf(invocation->config));
+  ServerConfig config = invocation->config;
+  const auto sockets = service::SocketsIn(environment, ::getpid());
+  if (!sockets.ok()) return RefuseToStart(sockets.status());
+  if (const Status used = UseAddressesOf(*sockets, config); !used.ok()) return RefuseToStart(used);
   (void)umask(077);  // maps, records and spilled tiles are for the server's user alone
+  if (invocation->is_check) return TellCheck(CheckStart(config, *sockets));
+  LogOptions log = LogOptionsOf(config);
+  log.is_journal = IsJournal(service::ValueIn(environment, "JOURNAL_STREAM"));
+  InitLog(log);
   RaiseDescriptorLimit();
-  const Status status = Serve(invocation->config, BlockEndSignals());
-  if (!status.ok()) LogError(status.ToString());
+  const service::Notifier manager(service::ValueIn(environment, "NOTIFY_SOCKET"));
+  const Launch launch{.arguments = arguments, .environment = environment, .config = invocation->config};
+  const sigset_t signals = BlockEndSignals();
+  const Status status = Serve(config, {launch, manager, *sockets, signals});
+  if (!status.ok()) {
+    LogError(status.ToString());
+    manager.TellStopping(status.ToString());
+  }
   return status.ok() ? 0 : 1;
 }
 

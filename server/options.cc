@@ -30,6 +30,7 @@ LogOptions LogOptionsOf(const ServerConfig& config) {
 SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
   return {.busy_timeout_ms = static_cast<int>(std::lround(1000 * config.store.busy_timeout_s)),
           .on_progress = [](const std::string& message) { LogInfo(message); },
+          .keeps_copy_before_migration = config.store.backup_before_upgrade,
           .changes = {.max_changes = config.watch.history_changes,
                       .max_bytes = std::int64_t{config.watch.history_mib} << 20,
                       .max_age_s = config.watch.history_s},
@@ -147,6 +148,9 @@ GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget
           .max_query_points = config.limits.query_points,
           .max_frames_in_flight = config.mapping.max_frames_in_flight,
           .default_config = config.map_defaults,
+          .version = DHPMAP_VERSION,
+          .database = config.db,
+          .max_behind_s = config.store.max_behind_s,
           .gate = std::move(gate)};
 }
 

@@ -55,7 +55,7 @@ Status SwitchToLog(Database& database) {
 
 }  // namespace
 
-Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms, const SchemaProgress& progress) {
+Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms, const UpgradeCopyOptions& copy) {
   DHPMAP_RETURN_IF_ERROR(CheckIsFile(path));
   DHPMAP_ASSIGN_OR_RETURN(Database database, Database::Open(path, OpenMode::kReadWriteOrCreate, busy_timeout_ms));
   database.SetCheckpointOnClose(false);  // until we know that it is ours
@@ -69,7 +69,8 @@ Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms, const 
   DHPMAP_RETURN_IF_ERROR(SwitchToLog(database));
   DHPMAP_RETURN_IF_ERROR(database.Execute(kEveryConnection, kSetUpTask));
   DHPMAP_RETURN_IF_ERROR(database.Execute(kWriterConnection, kSetUpTask));
-  if (schema != SchemaState::kCurrent) DHPMAP_RETURN_IF_ERROR(MigrateSchema(database, ReleasedSteps(), progress));
+  if (schema == SchemaState::kOlder) DHPMAP_RETURN_IF_ERROR(KeepUpgradeCopy(database, path, copy));
+  if (schema != SchemaState::kCurrent) DHPMAP_RETURN_IF_ERROR(MigrateSchema(database, ReleasedSteps(), copy.progress));
   return database;
 }
 

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
-#include "storage/schema/migrate.h"
+#include "storage/files/upgrade_copy.h"
 #include "storage/sqlite/database.h"
 #include "storage/store.h"
 
 namespace dhpmap {
 
-/// Opens the writing connection, creating or migrating the database. `progress` reports long work. Errors as
-/// OpenSqliteStore.
-Result<sqlite::Database> OpenWriter(const std::string& path, int busy_timeout_ms, const SchemaProgress& progress = {});
+/// Opens the writing connection, creating or migrating the database, of which `copy` is kept before. `copy.progress`
+/// reports long work. Errors as OpenSqliteStore.
+Result<sqlite::Database> OpenWriter(const std::string& path, int busy_timeout_ms, const UpgradeCopyOptions& copy = {});
 
 /// A connection to a writer's database for checkpoints of its log. It never waits for locks.
 Result<sqlite::Database> OpenForLog(const std::string& path);

@@ -17,6 +17,7 @@
 #include "storage/files/file_lock.h"
 #include "storage/files/map_file.h"
 #include "storage/files/map_import.h"
+#include "storage/files/upgrade_copy.h"
 #include "storage/history/change_history.h"
 #include "storage/history/edit_history.h"
 #include "storage/history/edit_log.h"
@@ -392,13 +393,16 @@ class SqliteStore final : public MapStore {
 Result<std::unique_ptr<MapStore>> OpenSqliteStore(const std::string& path, const SqliteStoreOptions& options) {
   const int timeout_ms = options.busy_timeout_ms;
   if (options.read_only) {
-    DHPMAP_ASSIGN_OR_RETURN(const sqlite::OpenMode mode, ProbeReadOnly(path, timeout_ms));
-    return std::unique_ptr<MapStore>(std::make_unique<SqliteStore>(nullptr, path, mode, options));
+    const auto mode = ProbeReadOnly(path, timeout_ms);
+    if (!mode.ok()) return WithWayBack(mode.status(), path);
+    return std::unique_ptr<MapStore>(std::make_unique<SqliteStore>(nullptr, path, *mode, options));
   }
   DHPMAP_ASSIGN_OR_RETURN(FileLock lock, FileLock::Acquire(path));
-  DHPMAP_ASSIGN_OR_RETURN(Database database, OpenWriter(path, timeout_ms, options.on_progress));
+  auto database =
+      OpenWriter(path, timeout_ms, {.is_kept = options.keeps_copy_before_migration, .progress = options.on_progress});
+  if (!database.ok()) return WithWayBack(database.status(), path);
   RemoveUnfinishedBackups(path);
-  auto writer = std::make_unique<Writer>(std::move(lock), std::move(database));
+  auto writer = std::make_unique<Writer>(std::move(lock), std::move(*database));
   auto store = std::make_unique<SqliteStore>(std::move(writer), path, sqlite::OpenMode::kReadOnly, options);
   DHPMAP_RETURN_IF_ERROR(store->GiveSpaceBack());
   DHPMAP_RETURN_IF_ERROR(store->GoOn());

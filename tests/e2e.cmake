@@ -7,6 +7,8 @@ dhpmap_library(NAME dhpmap_e2e SOURCES e2e/rendered_dataset.cc e2e/same_maps.cc
   PRIVATE OpenCVParts::core OpenCVParts::imgcodecs GTest::gtest)
 dhpmap_tests(ROOM e2e STUBS LIBS dhpmap_e2e dhpmap_http_client dhpmap_tls_client dhpmap_rig_kills dhpmap_test_server)
 add_dependencies(e2e_test dhpmap-server dhpmap dhpmap-simulate dhpmap-evaluate)
+dhpmap_tests(ROOM e2e/service COST 8 LIBS dhpmap_server_process dhpmap_http_client dhpmap_tls_client dhpmap_test_scenes)
+add_dependencies(e2e_service_test dhpmap-server dhpmap)
 
 # What operators read and load, against real programs: docs/operate.md, deploy/monitoring.
 if(NOT DHPMAP_SANITIZE)

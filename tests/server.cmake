@@ -9,6 +9,7 @@ dhpmap_tests(ROOM unit/server/config LIBS dhpmap_server_config dhpmap_test_scene
 dhpmap_tests(ROOM unit/server/grpc STUBS LIBS dhpmap_grpc dhpmap_proto dhpmap_test_scenes)
 dhpmap_tests(ROOM unit/server/log LIBS dhpmap_log)
 dhpmap_tests(ROOM unit/server/metrics LIBS dhpmap_metrics)
+dhpmap_tests(ROOM unit/server/service LIBS dhpmap_service dhpmap_server_base dhpmap_test_scenes)
 find_package(OpenSSL 3.0 REQUIRED)
 set(net_tests ${CMAKE_CURRENT_SOURCE_DIR}/unit/server/net)
 add_library(dhpmap_tls_client STATIC ${net_tests}/tls_client.cc ${net_tests}/test_certificates.cc)

@@ -173,7 +173,7 @@ function(dhpmap_room_of_tests)
     list(APPEND kinds served)
   endif()
   if(ARG_ROOM MATCHES
-      "^(integration|unit/(clients/cpp|server/(app|auth|wire|net|grpc|http|json|gateway|config|log|metrics)|storage|mapping/(base|crf|evidence|refinement|pipeline)))$")
+      "^(integration|unit/(clients/cpp|server/(app|auth|wire|net|grpc|http|json|gateway|config|log|metrics|service)|storage|mapping/(base|crf|evidence|refinement|pipeline)))$")
     list(APPEND kinds threaded)
   endif()
   if(NOT ARG_COST)

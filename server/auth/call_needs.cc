@@ -12,6 +12,7 @@
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
+#include "dhpmap/v1/server_service.pb.h"
 #include "dhpmap/v1/submap_service.pb.h"
 #include "dhpmap/v1/watch_service.pb.h"
 
@@ -88,11 +89,11 @@ std::vector<std::pair<std::string, CallNeeds>> OfGrpc() {
 }
 
 /// That the linker keeps every service, and that all of a package are found: a file that is not here would not be.
-std::array<const FileDescriptor*, 7> Files() {
-  return {v1::WhoAmIRequest::descriptor()->file(),      v1::ApplyEditsRequest::descriptor()->file(),
-          v1::GetMapRequest::descriptor()->file(),      v1::IntegrateFramesRequest::descriptor()->file(),
-          v1::QueryPointsRequest::descriptor()->file(), v1::GetSubmapRequest::descriptor()->file(),
-          v1::WatchMapRequest::descriptor()->file()};
+std::array<const FileDescriptor*, 8> Files() {
+  return {v1::GetServerStatusRequest::descriptor()->file(), v1::WhoAmIRequest::descriptor()->file(),
+          v1::ApplyEditsRequest::descriptor()->file(),      v1::GetMapRequest::descriptor()->file(),
+          v1::IntegrateFramesRequest::descriptor()->file(), v1::QueryPointsRequest::descriptor()->file(),
+          v1::GetSubmapRequest::descriptor()->file(),       v1::WatchMapRequest::descriptor()->file()};
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace {
 
 struct Flags {
   std::optional<std::string> config, db, grpc, http, log_level;
-  bool log_json = false, insecure = false, no_tls = false, no_auth = false, print_config = false;
+  bool log_json = false, insecure = false, no_tls = false, no_auth = false, no_backup = false, print_config = false,
+       check_config = false;
   std::vector<std::string> set;
 };
 
@@ -30,6 +31,10 @@ void AddFlags(CLI::App& app, Flags& flags) {
   app.add_option("--log-level", flags.log_level, "debug, info, warning, error or off [info]");
   app.add_flag("--log-json", flags.log_json, "log one JSON object a line");
   app.add_option("--set", flags.set, "set any other key: --set store.commit_s=1")->type_name("KEY=VALUE");
+  app.add_flag("--no-backup", flags.no_backup,
+               "keep no copy of the database before a new version brings it up to date");
+  app.add_flag("--check-config", flags.check_config,
+               "look at all that a start would, say what is wrong, change nothing, and exit with 0 or 2");
   app.add_flag("--print-config", flags.print_config, "print the effective configuration as YAML and exit");
 }
 
@@ -62,19 +67,32 @@ KeyValues KeysFromFlags(const Flags& flags) {
   if (flags.insecure) values.emplace_back("insecure", "true");
   if (flags.no_tls) values.emplace_back("insecure_no_tls", "true");
   if (flags.no_auth) values.emplace_back("insecure_no_auth", "true");
+  if (flags.no_backup) values.emplace_back("store.backup_before_upgrade", "false");
   return values;
+}
+
+/// Of several statuses, one with all that they say.
+void AddTo(Status& all, const Status& status) {
+  if (status.ok()) return;
+  if (all.ok()) {
+    all = status;
+    return;
+  }
+  for (const FieldViolation& violation : status.violations()) all.AddViolation(violation.field, violation.description);
 }
 
 Result<ServerConfig> Merge(const Flags& flags, const std::vector<std::string>& environment) {
   ServerConfig config;
+  Status bad;
   if (flags.config) {
     DHPMAP_ASSIGN_OR_RETURN(const std::string text, ReadConfigFile(*flags.config));
     DHPMAP_ASSIGN_OR_RETURN(const KeyValues values, ParseYaml(text));
-    DHPMAP_RETURN_IF_ERROR(ApplyKeyValues(values, *flags.config, config));
+    AddTo(bad, ApplyKeyValues(values, *flags.config, config));
   }
-  DHPMAP_RETURN_IF_ERROR(ApplyKeyValues(KeysFromEnvironment(environment), "the environment", config));
-  DHPMAP_RETURN_IF_ERROR(ApplyKeyValues(KeysFromFlags(flags), "the flags", config));
-  DHPMAP_RETURN_IF_ERROR(config.Validate());
+  AddTo(bad, ApplyKeyValues(KeysFromEnvironment(environment), "the environment", config));
+  AddTo(bad, ApplyKeyValues(KeysFromFlags(flags), "the flags", config));
+  AddTo(bad, config.Validate());
+  if (!bad.ok()) return bad;
   return config;
 }
 
@@ -101,7 +119,7 @@ Result<Invocation> ParseCommandLine(const std::vector<std::string>& arguments,
   if (config.db.empty()) {
     return InvalidArgument("no database: say --db FILE").WithViolation("db", "is required");
   }
-  return Invocation{.config = std::move(config)};
+  return Invocation{.config = std::move(config), .is_check = flags.check_config};
 }
 
 }  // namespace dhpmap

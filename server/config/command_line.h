@@ -12,8 +12,9 @@ namespace dhpmap {
 /// Result of parsing a command line.
 struct Invocation {
   ServerConfig config;
-  bool is_done = false;  ///< do not serve: print `text` and exit
-  std::string text;      ///< help, version or --print-config
+  bool is_done = false;   ///< do not serve: print `text` and exit
+  bool is_check = false;  ///< do not serve: tell what is wrong, and exit
+  std::string text;       ///< help, version or --print-config
 };
 
 /// Defaults < file (--config) < environment < flags; validated, naming every bad key at once. `environment`: strings

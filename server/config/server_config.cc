@@ -122,6 +122,21 @@ std::string KeyFileOf(const ServerConfig& config) {
   return "";
 }
 
+std::vector<std::string> ChangedKeys(const ServerConfig& before, const ServerConfig& after) {
+  std::vector<std::string> keys;
+  VisitServerFields(before, [&](const char* key, const auto& was, double, double, const char*) {
+    bool is_same = true;
+    VisitServerFields(after, [&](const char* other, const auto& is, double, double, const char*) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(was)>, std::remove_cvref_t<decltype(is)>>) {
+        if (std::string_view(key) == other) is_same = was == is;
+      }
+    });
+    if (!is_same) keys.emplace_back(key);
+  });
+  if (ConfigToText(before.map_defaults) != ConfigToText(after.map_defaults)) keys.emplace_back("map_defaults");
+  return keys;
+}
+
 bool IsInsecure(const ServerConfig& config) {
   return config.insecure || config.insecure_no_tls || config.insecure_no_auth;
 }

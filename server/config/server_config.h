@@ -71,6 +71,7 @@ struct ServerConfig {
     double retry_s = 5.0;
     double busy_timeout_s = 5;
     int memory_budget_mib = 0;
+    bool backup_before_upgrade = true;
   } store;
   struct Watch {
     int max_watchers = 1000;
@@ -179,6 +180,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "s to wait for another process that has the file locked");
   visit("store.memory_budget_mib", c.store.memory_budget_mib, 0, 1e8,
         "MiB of voxels in memory, of all maps together, read on demand; 0 = whole maps are read");
+  visit("store.backup_before_upgrade", c.store.backup_before_upgrade, 0, 0,
+        "keep a copy, DB.before-vN, before a new version brings the database to schema N");
   visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "watchers of all maps together; more are refused");
   visit("watch.history_changes", c.watch.history_changes, 1, 1e9,
         "commits per map whose changes are kept for watchers that resume");
@@ -216,6 +219,9 @@ void VisitServerFields(Config& c, Visitor&& visit) {
 
 /// The file of keys that is in force: `auth.keys`, or the one beside the database if there is one. Empty: keys are off.
 std::string KeyFileOf(const ServerConfig& config);
+
+/// Keys whose values differ, without those of map_defaults, which count as one: "map_defaults".
+std::vector<std::string> ChangedKeys(const ServerConfig& before, const ServerConfig& after);
 
 /// Whether something may be served at addresses that other machines reach without TLS or without keys.
 bool IsInsecure(const ServerConfig& config);

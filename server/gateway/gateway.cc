@@ -47,6 +47,7 @@ Result<std::unique_ptr<Gateway>> Gateway::Start(const GatewayOptions& options, s
   DHPMAP_ASSIGN_OR_RETURN(gateway::HttpRuleRouter router, gateway::HttpRuleRouter::FromLinkedServices());
   auto impl = std::make_unique<Impl>(options, std::move(channel), std::move(router), std::move(hooks));
   const http::ServerOptions server_options{.address = options.address,
+                                           .sockets = options.sockets,
                                            .tls = options.tls,
                                            .on_refused = options.on_refused,
                                            .num_threads = options.num_threads,

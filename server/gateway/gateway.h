@@ -23,6 +23,7 @@ class TlsContext;
 
 struct GatewayOptions {
   std::string address = "127.0.0.1:8080";                ///< host:port, port 0 takes a free one; or unix:PATH
+  std::vector<int> sockets = {};                         ///< that listen already, in its place; then the door's
   std::shared_ptr<const net::TlsContext> tls;            ///< null: in the clear
   std::function<void(std::string_view why)> on_refused;  ///< a connection, by TLS; from several threads; may be empty
   std::size_t max_body_bytes = 64u << 20;                ///< a larger body is answered with 413

@@ -9,6 +9,7 @@
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
+#include "dhpmap/v1/server_service.pb.h"
 #include "dhpmap/v1/submap_service.pb.h"
 #include "dhpmap/v1/watch_service.pb.h"
 #include "google/rpc/error_details.pb.h"
@@ -25,6 +26,7 @@ void LinkProtos() {
   google::protobuf::LinkMessageReflection<v1::ApplyEditsRequest>();
   google::protobuf::LinkMessageReflection<v1::WatchMapRequest>();
   google::protobuf::LinkMessageReflection<v1::WhoAmIRequest>();
+  google::protobuf::LinkMessageReflection<v1::GetServerStatusRequest>();
   google::protobuf::LinkMessageReflection<v1::Error>();
   google::protobuf::LinkMessageReflection<google::rpc::ErrorInfo>();
   google::protobuf::LinkMessageReflection<google::rpc::Status>();

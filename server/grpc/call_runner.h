@@ -42,6 +42,7 @@ struct ServiceContext {
   PinnedSnapshots& held;
   std::atomic<int>& num_checks;  ///< that are being answered in pieces
   MapQuota& quota;
+  const std::atomic<bool>* is_serving = nullptr;  ///< GrpcServer::is_serving; null: it is not
 };
 
 /// Over the calling thread and those of the bulk lane that have nothing else to do. What they read from the disk counts

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mapping/base/result.h"
 #include "mapping/map/map_config.h"
@@ -20,6 +21,7 @@ class TlsContext;
 
 struct GrpcOptions {
   std::string address = "127.0.0.1:50051";     ///< host:port, port 0 takes a free one; or unix:PATH
+  std::vector<int> sockets = {};               ///< that listen already, in its place; then the door's
   std::shared_ptr<const net::TlsContext> tls;  ///< null: in the clear
   std::size_t max_message_bytes = 64u << 20;   ///< of a request
   int num_threads = 4;                         ///< for calls that are answered quickly
@@ -37,6 +39,9 @@ struct GrpcOptions {
   std::int64_t max_query_points = 1'000'000;              ///< in one QueryPoints
   int max_frames_in_flight = 4;                           ///< of a stream: read, but not yet acknowledged to the client
   MapConfig default_config;                               ///< of a new map that names no preset; valid
+  std::string version;                                    ///< of the server; this and the next two for GetServerStatus
+  std::string database;                                   ///< its file
+  double max_behind_s = 30;                               ///< as CommitOptions has it
   std::shared_ptr<auth::Gate> gate = auth::Gate::Open();  ///< who may call; never null
 };
 

@@ -95,7 +95,7 @@ Lane MakeLane(LaneOptions options) {
 
 constexpr std::array kServiceNames = {"dhpmap.v1.MapService",  "dhpmap.v1.MappingService", "dhpmap.v1.SubmapService",
                                       "dhpmap.v1.EditService", "dhpmap.v1.QueryService",   "dhpmap.v1.WatchService",
-                                      "dhpmap.v1.AuthService"};
+                                      "dhpmap.v1.AuthService", "dhpmap.v1.ServerService"};
 constexpr const char* kHealthService = "grpc.health.v1.Health";  // gRPC's own
 
 std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& context, IntegrateStreams& streams,
@@ -109,6 +109,7 @@ std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& c
   services.push_back(MakeQueryService(context, query_streams));
   services.push_back(MakeWatchService(context, watch_streams));
   services.push_back(MakeAuthService(context));
+  services.push_back(MakeServerService(context));
   std::vector<std::string> served(kServiceNames.begin(), kServiceNames.end());
   served.emplace_back(kHealthService);
   for (auto& service : MakeReflectionServices(context, reflection_streams, std::move(served))) {
@@ -125,7 +126,7 @@ struct GrpcServer::Impl {
         observer(std::move(grpc_observer)),
         held(*options.inflight, [&registry](const MapSnapshot& state) { return registry.PresentOf(state); }),
         quota(*options.gate, registry),
-        context{registry, lanes, options, observer, held, num_checks, quota},
+        context{registry, lanes, options, observer, held, num_checks, quota, &is_serving},
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams, query_streams, watch_streams, reflection_streams)),
         lanes{.quick = MakeLane({.name = "quick",
@@ -186,6 +187,7 @@ namespace {
 Result<std::unique_ptr<net::Door>> OpenDoor(const GrpcOptions& options, const GrpcObserver& observer) {
   auto door = net::Door::Open({.name = "gRPC",
                                .address = options.address,
+                               .sockets = options.sockets,
                                .max_connections = options.max_connections,
                                .protocol = net::Protocol::kHttp2,
                                .tls = options.tls,
@@ -243,6 +245,10 @@ void GrpcServer::SetServing(bool is_serving) {
 bool GrpcServer::is_serving() const { return impl_->is_serving; }
 std::size_t GrpcServer::frame_bytes() const { return impl_->streams.frame_bytes(); }
 int GrpcServer::num_running_checks() const { return impl_->num_checks; }
+
+bool GrpcServer::PostQuick(std::function<void()> work) {
+  return impl_->lanes.quick.TryPost(std::make_shared<LaneTask>(std::move(work)));
+}
 
 std::shared_ptr<grpc::Channel> GrpcServer::InProcessChannel() {
   grpc::ChannelArguments arguments;

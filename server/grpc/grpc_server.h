@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 #include "mapping/base/result.h"
@@ -31,6 +32,8 @@ class GrpcServer {
   [[nodiscard]] std::size_t frame_bytes() const;
   /// Checks of collisions and trajectories that are being answered in pieces.
   [[nodiscard]] int num_running_checks() const;
+  /// Runs it on the lane of quick answers, behind the calls that wait there. False, without keeping it, if too many do.
+  [[nodiscard]] bool PostQuick(std::function<void()> work);
   /// A channel to this server inside the process; for the REST gateway and tests.
   [[nodiscard]] std::shared_ptr<grpc::Channel> InProcessChannel();
 

@@ -300,7 +300,7 @@ struct Listener::Impl {
 };
 
 Status Listener::Impl::Listen(const std::string& address) {
-  if (address.starts_with("unix:")) return OpenDoor(address);
+  if (address.starts_with("unix:") || !options.sockets.empty()) return OpenDoor(address);
   DHPMAP_ASSIGN_OR_RETURN(const net::Address parts, net::SplitAddress(address));
   error_code error;
   const auto ip = asio::ip::make_address(parts.host == "localhost" ? "127.0.0.1" : parts.host, error);
@@ -326,6 +326,7 @@ Status Listener::Impl::OpenDoor(const std::string& address) {
   constexpr int kSurplus = 64;  // they are told why they are sent away
   DHPMAP_ASSIGN_OR_RETURN(door, net::Door::Open({.name = "REST",
                                                  .address = address,
+                                                 .sockets = options.sockets,
                                                  .max_connections = options.max_connections + kSurplus,
                                                  .protocol = net::Protocol::kHttp11,
                                                  .tls = options.tls,

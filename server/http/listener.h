@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mapping/base/result.h"
 #include "server/http/connection.h"
@@ -18,6 +19,7 @@ namespace dhpmap::http {
 
 struct ListenerOptions {
   std::string address;                         ///< host:port, port 0 takes a free one; or unix:PATH
+  std::vector<int> sockets = {};               ///< that listen already, in its place; then the listener's
   std::shared_ptr<const net::TlsContext> tls;  ///< null: in the clear
   int max_connections = 1000;                  ///< behind TLS or a unix: address; others are for who hears of them
   std::function<void(std::string_view why)> on_refused;  ///< there; from several threads; may be empty
@@ -33,7 +35,8 @@ struct ListenerEvents {
   std::function<bool()> on_no_descriptors;
 };
 
-/// Accepts connections and runs them on its threads. Those with TLS or of a unix: address come through a net::Door.
+/// Accepts connections and runs them on its threads. Those with TLS, of a unix: address or of
+/// sockets that were handed over come through a net::Door.
 /// Thread-safe.
 class Listener {
  public:

@@ -95,6 +95,7 @@ struct Server::Impl {
 Result<std::unique_ptr<Server>> Server::Start(const ServerOptions& options, const Handler& handler) {
   auto impl = std::make_unique<Impl>(handler, options);
   const ListenerOptions listener_options{.address = options.address,
+                                         .sockets = options.sockets,
                                          .tls = options.tls,
                                          .max_connections = options.max_connections,
                                          .on_refused = options.on_refused,

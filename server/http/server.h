@@ -19,6 +19,7 @@ namespace dhpmap::http {
 
 struct ServerOptions {
   std::string address = "127.0.0.1:8080";                ///< host:port, port 0 takes a free one; or unix:PATH
+  std::vector<int> sockets = {};                         ///< that listen already, in its place; then the server's
   std::shared_ptr<const net::TlsContext> tls;            ///< null: in the clear
   std::function<void(std::string_view why)> on_refused;  ///< by TLS; from several threads; may be empty
   int num_threads = 1;

@@ -4,6 +4,8 @@
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <memory>
 #include <string>
@@ -26,12 +28,50 @@ class JsonMessageFlag : public spdlog::custom_flag_formatter {
   }
 };
 
-std::unique_ptr<spdlog::formatter> MakeFormatter(bool json_lines) {
-  constexpr auto kUtc = spdlog::pattern_time_type::utc;
-  if (!json_lines) return std::make_unique<spdlog::pattern_formatter>("%Y-%m-%dT%H:%M:%S.%eZ %l %v", kUtc);
-  auto formatter = std::make_unique<spdlog::pattern_formatter>(kUtc);
-  formatter->add_flag<JsonMessageFlag>('J');
-  formatter->set_pattern(R"({"time":"%Y-%m-%dT%H:%M:%S.%eZ","level":"%l","message":"%J"})");
+/// As <syslog.h> has them.
+char PriorityOf(spdlog::level::level_enum level) {
+  switch (level) {
+    case spdlog::level::trace:
+    case spdlog::level::debug: return '7';
+    case spdlog::level::warn: return '4';
+    case spdlog::level::err:
+    case spdlog::level::critical: return '3';
+    default: return '6';
+  }
+}
+
+/// %Q: "<6>", which the journal takes off.
+class PriorityFlag : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
+    const char priority[] = {'<', PriorityOf(message.level), '>'};
+    out.append(priority, priority + sizeof priority);
+  }
+  [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {
+    return std::make_unique<PriorityFlag>();
+  }
+};
+
+/// %V: the message on one line: the journal would take the next one for an entry of its own.
+class OneLineFlag : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
+    for (const char c : message.payload) out.push_back(c == '\n' ? ' ' : c);
+  }
+  [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {
+    return std::make_unique<OneLineFlag>();
+  }
+};
+
+std::unique_ptr<spdlog::formatter> MakeFormatter(const LogOptions& options) {
+  auto formatter = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
+  formatter->add_flag<JsonMessageFlag>('J').add_flag<PriorityFlag>('Q').add_flag<OneLineFlag>('V');
+  const std::string priority = options.is_journal ? "%Q" : "";
+  if (options.json_lines) {
+    formatter->set_pattern(priority + R"({"time":"%Y-%m-%dT%H:%M:%S.%eZ","level":"%l","message":"%J"})");
+  } else {
+    formatter->set_pattern(options.is_journal ? priority + "%V" : "%Y-%m-%dT%H:%M:%S.%eZ %l %v");
+  }
   return formatter;
 }
 
@@ -48,7 +88,7 @@ spdlog::level::level_enum ToSpdlog(LogLevel level) {
 
 std::shared_ptr<spdlog::logger> MakeLogger(const LogOptions& options) {
   auto logger = std::make_shared<spdlog::logger>("dhpmap", std::make_shared<spdlog::sinks::stderr_sink_mt>());
-  logger->set_formatter(MakeFormatter(options.json_lines));
+  logger->set_formatter(MakeFormatter(options));
   logger->set_level(ToSpdlog(options.level));
   logger->flush_on(spdlog::level::debug);
   return logger;
@@ -78,6 +118,14 @@ Result<LogLevel> LogLevelFromName(std::string_view name) {
 }
 
 void InitLog(const LogOptions& options) { Logger() = MakeLogger(options); }
+
+void SetLogLevel(LogLevel level) { Logger()->set_level(ToSpdlog(level)); }
+
+bool IsJournal(const std::string& journal_stream) {
+  struct stat stream {};
+  if (::fstat(STDERR_FILENO, &stream) != 0) return false;
+  return journal_stream == std::to_string(stream.st_dev) + ":" + std::to_string(stream.st_ino);
+}
 
 void LogDebug(std::string_view message) { Write(spdlog::level::debug, message); }
 void LogInfo(std::string_view message) { Write(spdlog::level::info, message); }

@@ -111,7 +111,8 @@ void ConnectionAcceptor::Impl::AcceptFrom(const Descriptor& listener) {
 }
 
 Result<std::unique_ptr<ConnectionAcceptor>> ConnectionAcceptor::Listen(const AcceptorOptions& options) {
-  DHPMAP_ASSIGN_OR_RETURN(Listening listening, ListenOn(options.address));
+  DHPMAP_ASSIGN_OR_RETURN(Listening listening,
+                          options.sockets.empty() ? ListenOn(options.address) : ListenOnInherited(options.sockets));
   auto impl = std::make_unique<Impl>(std::move(listening), options.max_connections);
   if (impl->stop.get() < 0)
     return Unavailable(std::string("no file descriptor to begin with: ") + std::strerror(errno));

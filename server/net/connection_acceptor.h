@@ -4,13 +4,15 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mapping/base/result.h"
 
 namespace dhpmap::net {
 
 struct AcceptorOptions {
-  std::string address;  ///< host:port, also a name; port 0 takes a free one; or unix:PATH
+  std::string address;            ///< host:port, also a name; port 0 takes a free one; or unix:PATH
+  std::vector<int> sockets = {};  ///< that listen already, in its place; then the acceptor's
   /// Of those handed over and still open. Those beyond it are accepted and closed at once: a client that is refused
   /// knows more than one that waits.
   int max_connections = 1000;
@@ -21,8 +23,8 @@ struct AcceptorOptions {
 /// some. Not thread-safe.
 class ConnectionAcceptor {
  public:
-  /// Listens as net::ListenOn does. Connections wait until Start. INVALID_ARGUMENT if it is no address, UNAVAILABLE if
-  /// it cannot be listened on.
+  /// Listens as net::ListenOn does, or ListenOnInherited. Connections wait until Start. INVALID_ARGUMENT if it is no
+  /// address, UNAVAILABLE if it cannot be listened on.
   static Result<std::unique_ptr<ConnectionAcceptor>> Listen(const AcceptorOptions& options);
   /// Stops.
   ~ConnectionAcceptor();

@@ -123,8 +123,9 @@ void Door::Impl::Ended(std::uint64_t number, Refusal why) {
 }
 
 Result<std::unique_ptr<Door>> Door::Open(const DoorOptions& options) {
-  DHPMAP_ASSIGN_OR_RETURN(auto acceptor, ConnectionAcceptor::Listen(
-                                             {.address = options.address, .max_connections = options.max_connections}));
+  DHPMAP_ASSIGN_OR_RETURN(auto acceptor, ConnectionAcceptor::Listen({.address = options.address,
+                                                                     .sockets = options.sockets,
+                                                                     .max_connections = options.max_connections}));
   return std::unique_ptr<Door>(new Door(std::make_unique<Impl>(options, std::move(acceptor))));
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mapping/base/result.h"
 #include "server/net/peer_identity.h"
@@ -16,8 +17,9 @@
 namespace dhpmap::net {
 
 struct DoorOptions {
-  std::string name;     ///< for the log: "gRPC"
-  std::string address;  ///< host:port, port 0 takes a free one; or unix:PATH
+  std::string name;               ///< for the log: "gRPC"
+  std::string address;            ///< host:port, port 0 takes a free one; or unix:PATH
+  std::vector<int> sockets = {};  ///< that listen already, in its place; then the door's
   int max_connections = 1000;
   Protocol protocol = Protocol::kHttp2;     ///< of kHttp2, frames are counted
   std::shared_ptr<const TlsContext> tls;    ///< null: in the clear

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/net/listening.h"
 
+#include <fcntl.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -26,6 +27,15 @@ bool Set(const Descriptor& socket, int level, int option, int value) {
   return ::setsockopt(socket.get(), level, option, &value, sizeof value) == 0;
 }
 
+/// Accepted sockets inherit these. A peer whose machine or network is gone is found out after 25 s of silence.
+void KeepAlive(const Descriptor& socket) {
+  Set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
+  Set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
+  Set(socket, IPPROTO_TCP, TCP_KEEPIDLE, 10);
+  Set(socket, IPPROTO_TCP, TCP_KEEPINTVL, 5);
+  Set(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
+}
+
 /// An IPv6 socket is for IPv6 alone, but for the address that means every one of this machine.
 bool IsForBothFamilies(const addrinfo& address) {
   return address.ai_family == AF_INET6 &&
@@ -37,12 +47,7 @@ Descriptor ListenOnOne(const addrinfo& address, bool is_alone) {
   Descriptor socket(::socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (socket.get() < 0) return socket;
   Set(socket, SOL_SOCKET, SO_REUSEADDR, 1);
-  // Accepted sockets inherit these. A peer whose machine or network is gone is found out after 25 s of silence.
-  Set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
-  Set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
-  Set(socket, IPPROTO_TCP, TCP_KEEPIDLE, 10);
-  Set(socket, IPPROTO_TCP, TCP_KEEPINTVL, 5);
-  Set(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
+  KeepAlive(socket);
   if (address.ai_family == AF_INET6) {
     Set(socket, IPPROTO_IPV6, IPV6_V6ONLY, is_alone && IsForBothFamilies(address) ? 0 : 1);
   }
@@ -58,6 +63,7 @@ int PortOf(const Descriptor& socket) {
   sockaddr_storage name{};
   socklen_t size = sizeof name;
   if (::getsockname(socket.get(), reinterpret_cast<sockaddr*>(&name), &size) != 0) return 0;
+  if (name.ss_family == AF_UNIX) return 0;
   return ntohs(name.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6&>(name).sin6_port
                                           : reinterpret_cast<const sockaddr_in&>(name).sin_port);
 }
@@ -126,6 +132,22 @@ Result<Listening> ListenOnPath(const std::string& path) {
 
 Result<Listening> ListenOn(const std::string& address) {
   return address.starts_with(kUnix) ? ListenOnPath(address.substr(kUnix.size())) : ListenOnHost(address);
+}
+
+Result<Listening> ListenOnInherited(const std::vector<int>& sockets) {
+  Listening listening;
+  for (const int descriptor : sockets) {
+    Descriptor socket(descriptor);
+    const int flags = ::fcntl(descriptor, F_GETFL);
+    if (flags < 0 || ::fcntl(descriptor, F_SETFL, flags | O_NONBLOCK) != 0 ||
+        ::fcntl(descriptor, F_SETFD, FD_CLOEXEC) != 0) {
+      return Unavailable(std::string("cannot listen on a socket that was handed over: ") + std::strerror(errno));
+    }
+    KeepAlive(socket);
+    listening.sockets.push_back(std::move(socket));
+  }
+  listening.port = PortOf(listening.sockets.front());
+  return listening;
 }
 
 }  // namespace dhpmap::net

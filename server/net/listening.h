@@ -21,4 +21,8 @@ struct Listening {
 /// INVALID_ARGUMENT if it is no address, UNAVAILABLE if it cannot be listened on.
 Result<Listening> ListenOn(const std::string& address);
 
+/// On sockets that listen already, at one port or path: they are ours from here on. A file that one of them has is its
+/// maker's. UNAVAILABLE if one is no socket.
+Result<Listening> ListenOnInherited(const std::vector<int>& sockets);
+
 }  // namespace dhpmap::net

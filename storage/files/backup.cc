@@ -104,6 +104,10 @@ class OpenBackup final : public StoreBackup {
 
 }  // namespace
 
+Status CopyInto(sqlite::Database& database, const std::string& path) {
+  return database.Execute("VACUUM INTO " + Quoted(path), "write the backup");
+}
+
 Status WriteBackup(sqlite::Database& database, const std::string& path, const std::stop_token& stop) {
   DHPMAP_RETURN_IF_ERROR(CheckPlace(path));
   DHPMAP_RETURN_IF_ERROR(AllowCopyGivingBack(database));
@@ -111,7 +115,7 @@ Status WriteBackup(sqlite::Database& database, const std::string& path, const st
   Status status;
   {
     const sqlite::StoppedBy stopped(database, stop);
-    status = database.Execute("VACUUM INTO " + Quoted(path), "write the backup");
+    status = CopyInto(database, path);
   }
   if (status.ok()) status = MarkFile(path);
   if (status.ok() && stop.stop_requested()) status = Cancelled("the backup is not wanted any more");

@@ -11,6 +11,9 @@
 
 namespace dhpmap {
 
+/// Copies one state of the database to a new file, without anything else: of any schema.
+Status CopyInto(sqlite::Database& database, const std::string& path);
+
 /// Writes one state of the database to a new file, in time linear in its size, while commits continue. ALREADY_EXISTS
 /// if there is a file at `path`, INVALID_ARGUMENT if its folder does not exist, CANCELLED. After any error there is no
 /// file at `path`.

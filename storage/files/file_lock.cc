@@ -24,11 +24,23 @@ Status CannotOpen(int error) {
   return FailedPrecondition("the database is not writable: cannot lock it: " + cause).WithReason("NOT_WRITABLE");
 }
 
-Status InUse(int descriptor) {
+/// As its lock file says.
+std::string HolderIn(int descriptor) {
   std::array<char, 32> text{};
   const ssize_t size = pread(descriptor, text.data(), text.size() - 1, 0);
-  const std::string holder = size > 0 ? "process " + std::string(text.data()) : "another process";
-  return FailedPrecondition("the database is in use by " + holder).WithReason("DATABASE_IN_USE");
+  return size > 0 ? "process " + std::string(text.data()) : "another process";
+}
+
+Status InUse(int descriptor) {
+  return FailedPrecondition("the database is in use by " + HolderIn(descriptor)).WithReason("DATABASE_IN_USE");
+}
+
+/// The file itself, so that two names of one file by symbolic links have one lock file.
+std::string Resolved(const std::string& database_path) {
+  char* const resolved = realpath(database_path.c_str(), nullptr);
+  std::string path = resolved ? resolved : database_path;
+  std::free(resolved);
+  return path;
 }
 
 struct FileId {
@@ -69,11 +81,17 @@ Status InUseHere() {
 
 }  // namespace
 
+std::string FileLock::HolderOf(const std::string& database_path) {
+  const int descriptor = open((Resolved(database_path) + "-lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return "";
+  const bool is_held = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  std::string holder = is_held ? HolderIn(descriptor) : "";
+  close(descriptor);
+  return holder;
+}
+
 Result<FileLock> FileLock::Acquire(const std::string& database_path) {
-  // Of the file itself, so that two names of one file by symbolic links have one lock file.
-  char* const resolved = realpath(database_path.c_str(), nullptr);
-  const std::string path = resolved ? resolved : database_path;
-  std::free(resolved);
+  const std::string path = Resolved(database_path);
   FileLock lock(path + "-lock");
   DHPMAP_RETURN_IF_ERROR(lock.LockName());
   DHPMAP_RETURN_IF_ERROR(lock.LockDatabase(path));

@@ -17,6 +17,9 @@ namespace dhpmap {
 /// destructor releases it.
 class FileLock {
  public:
+  /// Who holds it: "process 123", or "another process" if that is not known; empty: nobody. Changes nothing.
+  static std::string HolderOf(const std::string& database_path);
+
   /// Creates an empty file if there is none. FAILED_PRECONDITION, by reason: DATABASE_IN_USE, naming the process if
   /// known, if another store holds it; NOT_WRITABLE if the lock file cannot be written; NOT_A_FILE. NOT_FOUND if its
   /// folder does not exist.

@@ -101,8 +101,8 @@ Result<SchemaState> InspectSchema(sqlite::Database& database, SchemaSteps steps)
   if (application_id == 0 && version == 0 && num_objects == 0) return SchemaState::kEmpty;
   if (application_id != kApplicationId) return NotOurs();
   if (version > VersionOf(steps)) {
-    return FailedPrecondition("the database is of schema " + std::to_string(version) + ", this version knows " +
-                              std::to_string(VersionOf(steps)))
+    return FailedPrecondition("the database is of schema " + std::to_string(version) +
+                              ", dhpmap " DHPMAP_VERSION " knows schemas up to " + std::to_string(VersionOf(steps)))
         .WithReason("NEWER_SCHEMA");
   }
   if (version < 1) return DataLoss("the database's schema version " + std::to_string(version) + " cannot be right");

@@ -68,7 +68,7 @@ Caller::Caller(std::string told_address, ConnectOptions options, std::string tok
       options_(std::move(options)),
       token_(std::move(token)),
       channel_(channel),
-      stubs_(channel, channel, channel, channel, channel, channel, channel) {}
+      stubs_(channel, channel, channel, channel, channel, channel, channel, channel) {}
 
 void Caller::Introduce(grpc::ClientContext& context) const {
   if (!token_.empty()) context.AddMetadata("authorization", "Bearer " + token_);

@@ -19,6 +19,7 @@
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "dhpmap/v1/query_service.grpc.pb.h"
+#include "dhpmap/v1/server_service.grpc.pb.h"
 #include "dhpmap/v1/submap_service.grpc.pb.h"
 #include "dhpmap/v1/watch_service.grpc.pb.h"
 
@@ -93,7 +94,7 @@ class Caller {
   const std::string token_;
   const std::shared_ptr<grpc::Channel> channel_;
   std::tuple<v1::AuthService::Stub, v1::EditService::Stub, v1::MapService::Stub, v1::MappingService::Stub,
-             v1::QueryService::Stub, v1::SubmapService::Stub, v1::WatchService::Stub>
+             v1::QueryService::Stub, v1::ServerService::Stub, v1::SubmapService::Stub, v1::WatchService::Stub>
       stubs_;
 };
 

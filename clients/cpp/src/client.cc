@@ -7,6 +7,7 @@
 #include "clients/cpp/calls/error.h"
 #include "clients/cpp/calls/pages.h"
 #include "clients/cpp/src/convert/objects.h"
+#include "clients/cpp/src/convert/server.h"
 
 namespace dhpmap::client {
 namespace {
@@ -61,6 +62,12 @@ Result<Map> Client::CreateMap(std::string_view name, const NewMap& map) const {
   const auto created = caller_->Call(&v1::MapService::Stub::CreateMap, request, 0, Again::kNo);
   if (!created.ok()) return created.status();
   return Map(caller_, resource);
+}
+
+Result<ServerStatus> Client::GetStatus() const {
+  const auto status = caller_->Call(&v1::ServerService::Stub::GetServerStatus, v1::GetServerStatusRequest());
+  if (!status.ok()) return status.status();
+  return FromProto(*status);
 }
 
 Status Client::DeleteMap(std::string_view name) const {

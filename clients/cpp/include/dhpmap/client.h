@@ -9,6 +9,7 @@
 #include "dhpmap/map.h"
 #include "dhpmap/options.h"
 #include "dhpmap/result.h"
+#include "dhpmap/server.h"
 
 namespace dhpmap::client {
 
@@ -34,6 +35,8 @@ class Client {
   Result<std::vector<MapInfo>> Maps() const;
   /// A new, empty map. AlreadyExists; InvalidArgument with every field that is wrong. Never sent twice, as DeleteMap.
   Result<Map> CreateMap(std::string_view name, const NewMap& map = {}) const;
+  /// How the server is. Unimplemented by one of 0.2.0 and before.
+  Result<ServerStatus> GetStatus() const;
   /// Deletes a map with all that is in it. FailedPrecondition while it is fed, NotFound.
   Status DeleteMap(std::string_view name) const;
   /// A copy of the server's database with all maps, as committed.

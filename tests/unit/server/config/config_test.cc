@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "server/config/command_line.h"
 #include "server/config/config_loader.h"
@@ -231,6 +232,40 @@ TEST(CommandLine, MistakesAreErrors) {
   EXPECT_EQ(Fields(ParseCommandLine({"--db", "x", "--grpc", "0.0.0.0:1"}, {}).status()),
             std::set<std::string>{"grpc.address"});
   EXPECT_TRUE(ParseCommandLine({"--db", "x", "--grpc", "0.0.0.0:1", "--insecure"}, {}).ok());
+}
+
+TEST(CommandLine, BadKeysOfFileEnvironmentAndFlagsAreNamedAtOnce) {
+  const testing::TempDir dir;
+  const std::string file = WriteFile(dir, "store:\n  commit_x: 1\n");
+  const auto parsed = ParseCommandLine(
+      {"--config", file, "--db", "x", "--set", "store.commit_s=soon", "--set", "log.level=loud"}, {"DHPMAP_NO_SUCH=1"});
+  EXPECT_EQ(Fields(parsed.status()),
+            (std::set<std::string>{"store.commit_x", "DHPMAP_NO_SUCH", "store.commit_s", "log.level"}));
+}
+
+TEST(CommandLine, TellsWhetherToCheckAndWhetherToKeepACopy) {
+  const auto usual = ParseCommandLine({"--db", "x"}, {});
+  ASSERT_TRUE(usual.ok());
+  EXPECT_FALSE(usual->is_check);
+  EXPECT_TRUE(usual->config.store.backup_before_upgrade);
+  const auto other = ParseCommandLine({"--db", "x", "--check-config", "--no-backup"}, {});
+  ASSERT_TRUE(other.ok());
+  EXPECT_TRUE(other->is_check);
+  EXPECT_FALSE(other->is_done);
+  EXPECT_FALSE(other->config.store.backup_before_upgrade);
+  EXPECT_FALSE(ParseCommandLine({"--check-config"}, {}).ok()) << "without a database there is no start";
+}
+
+TEST(ServerConfig, ChangedKeysAreNamed) {
+  const ServerConfig before;
+  EXPECT_TRUE(ChangedKeys(before, before).empty());
+  ServerConfig after;
+  after.log.level = "debug";
+  after.store.commit_s += 1;
+  after.grpc.num_threads += 1;
+  after.map_defaults.voxel_size_m *= 2;
+  EXPECT_EQ(ChangedKeys(before, after),
+            (std::vector<std::string>{"grpc.num_threads", "log.level", "store.commit_s", "map_defaults"}));
 }
 
 TEST(CommandLine, AddressesForOthersNeedTlsAndKeysOrAWordThatTheyMayGoWithout) {

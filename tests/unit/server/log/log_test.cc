@@ -2,6 +2,8 @@
 #include "server/log/log.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <functional>
@@ -69,6 +71,38 @@ TEST(Log, AnyMessageIsOneLineOfJson) {
   std::smatch match;
   ASSERT_TRUE(std::regex_match(lines[0], match, line)) << lines[0];
   EXPECT_EQ(match[1], R"(two\nlines, \"quoted\" \\ \u0001)");
+}
+
+TEST(Log, LinesForTheJournalBeginWithTheirPriorityAndHaveNoTime) {
+  EXPECT_EQ(Logged({.level = LogLevel::kDebug, .is_journal = true}, LogOneOfEach),
+            (std::vector<std::string>{"<7>d", "<6>i", "<4>w", "<3>e"}));
+  const auto two_lines = Logged({.is_journal = true}, [] { LogError("of a client:\n<0>the machine is down"); });
+  EXPECT_EQ(two_lines, std::vector<std::string>{"<3>of a client: <0>the machine is down"}) << "one entry";
+  const auto json = Logged({.json_lines = true, .is_journal = true}, [] { LogInfo("i"); });
+  ASSERT_EQ(json.size(), 1u);
+  EXPECT_TRUE(json[0].starts_with("<6>{\"time\":")) << json[0];
+}
+
+TEST(Log, TheJournalIsKnownByTheStreamThatStandardErrorIs) {
+  struct stat stream {};
+  ASSERT_EQ(::fstat(STDERR_FILENO, &stream), 0);
+  const std::string device = std::to_string(stream.st_dev), inode = std::to_string(stream.st_ino);
+  EXPECT_TRUE(IsJournal(device + ":" + inode));
+  for (const std::string& other : {std::string(), device, device + ":" + inode + "0", ":" + inode}) {
+    EXPECT_FALSE(IsJournal(other)) << other;
+  }
+}
+
+TEST(Log, ALevelHoldsFromTheNextLineOn) {
+  const auto lines = Logged({}, [] {
+    LogDebug("not shown");
+    SetLogLevel(LogLevel::kDebug);
+    LogDebug("shown");
+    SetLogLevel(LogLevel::kError);
+    LogWarning("not shown");
+  });
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].ends_with(" debug shown")) << lines[0];
 }
 
 TEST(Log, LinesOfSeveralThreadsAreWhole) {

@@ -14,6 +14,7 @@
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
+#include "dhpmap/v1/server_service.pb.h"
 #include "dhpmap/v1/submap_service.pb.h"
 #include "dhpmap/v1/watch_service.pb.h"
 #include "mapping/base/reason.h"
@@ -36,7 +37,8 @@ std::set<const FileDescriptor*> Files() {
   for (const Descriptor* message :
        {v1::ApplyEditsRequest::descriptor(), v1::Error::descriptor(), v1::CreateMapRequest::descriptor(),
         v1::IntegrateFramesRequest::descriptor(), v1::QueryPointsRequest::descriptor(),
-        v1::GetSubmapRequest::descriptor(), v1::WatchMapRequest::descriptor(), v1::WhoAmIRequest::descriptor()}) {
+        v1::GetSubmapRequest::descriptor(), v1::WatchMapRequest::descriptor(), v1::WhoAmIRequest::descriptor(),
+        v1::GetServerStatusRequest::descriptor()}) {
     add(message->file());
   }
   return files;
@@ -68,7 +70,7 @@ bool EndsInOneOf(const std::string& name, std::initializer_list<const char*> end
 }
 
 TEST(ApiStyle, AllServicesAreLookedAt) {
-  EXPECT_EQ(Files().size(), 14u);
+  EXPECT_EQ(Files().size(), 15u);
   EXPECT_GT(Fields().size(), 400u);
 }
 
