@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what the build needs: Debian 12 packages, and the google/api protos, which Debian ships only inside a
 # Go -dev package (unpacked here without its dependencies). Asks nothing, skips what is there, safe to run again.
-#   deploy/setup.sh [--quiet] [--checks] [--browser] [--packaging]
+#   deploy/setup.sh [--quiet] [--checks] [--browser] [--postgres] [--packaging]
 # --checks adds what deploy/check.sh and the sanitizers need and a build does not: clang, its formatter and its tidy.
 # --browser adds what tests of the viewer need: Chromium, its driver, and Selenium.
+# --postgres adds a PostgreSQL server: tests of the store on it start their own, and skip without.
 # --packaging adds what makes and tries Debian packages and images.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,7 +12,7 @@ cd "$(dirname "$0")/.."
 packages=(
   g++ cmake ninja-build ccache pkg-config ca-certificates curl python3
   libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc grpc-proto
-  libsqlite3-dev libzstd-dev libjemalloc-dev zlib1g-dev libspng-dev libtiff-dev libturbojpeg0-dev
+  libsqlite3-dev libpq-dev libzstd-dev libjemalloc-dev zlib1g-dev libspng-dev libtiff-dev libturbojpeg0-dev
   libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libpcl-dev
   libspdlog-dev libssl-dev libyaml-cpp-dev libcli11-dev libboost-dev prometheus-cpp-dev nlohmann-json3-dev libnanoflann-dev
   libgtest-dev liboctomap-dev libompl-dev
@@ -22,6 +23,7 @@ packages=(
 )
 check_packages=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev lld-14)
 browser_packages=(chromium chromium-driver python3-selenium)
+postgres_packages=(postgresql)
 packaging_packages=(
   debhelper dh-python pybuild-plugin-pyproject python3-all help2man po-debconf lintian mmdebstrap iproute2 systemd prometheus
 )
@@ -34,9 +36,10 @@ for argument in "$@"; do
     --quiet) quiet=1 ;;
     --checks) packages+=("${check_packages[@]}") ;;
     --browser) packages+=("${browser_packages[@]}") ;;
+    --postgres) packages+=("${postgres_packages[@]}") ;;
     --packaging) packages+=("${packaging_packages[@]}") ;;
     *)
-      echo "usage: deploy/setup.sh [--quiet] [--checks] [--browser] [--packaging]" >&2
+      echo "usage: deploy/setup.sh [--quiet] [--checks] [--browser] [--postgres] [--packaging]" >&2
       exit 2
       ;;
   esac

@@ -82,12 +82,11 @@ int ServeUntilTold(const Service& service, const std::string& doors, net::TlsCon
 
 Status Serve(const ServerConfig& config, const Service& service) {
   Metrics metrics;
-  SqliteStoreOptions store_options = StoreOptionsOf(config);
-  store_options.on_progress = [&manager = service.manager](const std::string& message) {
-    LogInfo(message);
-    manager.TellStarting(message);
-  };
-  DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenSqliteStore(config.db, store_options));
+  DHPMAP_ASSIGN_OR_RETURN(const auto store,
+                          OpenStore(config, [&manager = service.manager](const std::string& message) {
+                            LogInfo(message);
+                            manager.TellStarting(message);
+                          }));
   DHPMAP_ASSIGN_OR_RETURN(const auto records, RecordDirOf(config));
   DHPMAP_ASSIGN_OR_RETURN(const auto spill, SpillOf(config));
   DHPMAP_ASSIGN_OR_RETURN(

@@ -9,6 +9,8 @@
 #include "mapping/paging/page_reader.h"
 #include "mapping/paging/tile_page.h"
 #include "server/app/maps/map_stats.h"
+#include "storage/postgres_store.h"
+#include "storage/sqlite_store.h"
 
 namespace dhpmap {
 namespace {
@@ -19,6 +21,30 @@ std::int64_t CountedBlockBytes(const MapStats& stats) {
          stats.label_plane_bytes_in_memory;
 }
 
+ChangeHistoryLimits ChangeLimitsOf(const ServerConfig& config) {
+  return {.max_changes = config.watch.history_changes,
+          .max_bytes = std::int64_t{config.watch.history_mib} << 20,
+          .max_age_s = config.watch.history_s};
+}
+
+EditLogLimits EditLimitsOf(const ServerConfig& config) {
+  return {.max_edits = config.edits.log_edits,
+          .max_bytes = std::int64_t{config.edits.log_mib} << 20,
+          .max_age_s = config.edits.log_s,
+          .max_histories = config.edits.history_edits,
+          .max_history_bytes = std::int64_t{config.edits.history_mib} << 20,
+          .max_history_age_s = config.edits.history_s};
+}
+
+SqliteStoreOptions SqliteOptionsOf(const ServerConfig& config, StoreProgress on_progress) {
+  return {.busy_timeout_ms = static_cast<int>(std::lround(1000 * config.store.busy_timeout_s)),
+          .on_progress = std::move(on_progress),
+          .keeps_copy_before_migration = config.store.backup_before_upgrade,
+          .changes = ChangeLimitsOf(config),
+          .edits = EditLimitsOf(config),
+          .pages_tiles = config.store.memory_budget_mib > 0};
+}
+
 }  // namespace
 
 LogOptions LogOptionsOf(const ServerConfig& config) {
@@ -27,20 +53,16 @@ LogOptions LogOptionsOf(const ServerConfig& config) {
   return options;
 }
 
-SqliteStoreOptions StoreOptionsOf(const ServerConfig& config) {
-  return {.busy_timeout_ms = static_cast<int>(std::lround(1000 * config.store.busy_timeout_s)),
-          .on_progress = [](const std::string& message) { LogInfo(message); },
-          .keeps_copy_before_migration = config.store.backup_before_upgrade,
-          .changes = {.max_changes = config.watch.history_changes,
-                      .max_bytes = std::int64_t{config.watch.history_mib} << 20,
-                      .max_age_s = config.watch.history_s},
-          .edits = {.max_edits = config.edits.log_edits,
-                    .max_bytes = std::int64_t{config.edits.log_mib} << 20,
-                    .max_age_s = config.edits.log_s,
-                    .max_histories = config.edits.history_edits,
-                    .max_history_bytes = std::int64_t{config.edits.history_mib} << 20,
-                    .max_history_age_s = config.edits.history_s},
-          .pages_tiles = config.store.memory_budget_mib > 0};
+Result<std::unique_ptr<MapStore>> OpenStore(const ServerConfig& config, StoreProgress on_progress) {
+  if (!IsPostgresUrl(config.db)) return OpenSqliteStore(config.db, SqliteOptionsOf(config, std::move(on_progress)));
+  if (config.store.memory_budget_mib > 0) {
+    return FailedPrecondition(
+        "store.memory_budget_mib needs a database file: a store on PostgreSQL keeps open maps in memory");
+  }
+  LogWarning("the store on PostgreSQL is experimental: one server for each database, no verify, export or import");
+  return OpenPostgresStore(
+      config.db,
+      {.changes = ChangeLimitsOf(config), .edits = EditLimitsOf(config), .on_progress = std::move(on_progress)});
 }
 
 Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config) {
@@ -118,7 +140,7 @@ Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config) {
       {.key_file = file,
        .audit_file = config.auth.audit,
        .is_audit_required = config.auth.audit_required,
-       .owners_file = config.db.empty() ? std::string() : config.db + ".owners",
+       .owners_file = (DatabaseFileOf(config).empty() ? file : config.db) + ".owners",
        .limits = {.maps = config.limits.principal_maps,
                   .disk_bytes = static_cast<std::int64_t>(config.limits.principal_disk_mib) << 20,
                   .inflight_fraction = config.limits.principal_inflight_percent / 100.0},
@@ -149,7 +171,7 @@ GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget
           .max_frames_in_flight = config.mapping.max_frames_in_flight,
           .default_config = config.map_defaults,
           .version = DHPMAP_VERSION,
-          .database = config.db,
+          .database = DatabaseFileOf(config),
           .max_behind_s = config.store.max_behind_s,
           .gate = std::move(gate)};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,7 +21,10 @@ namespace dhpmap {
 
 // From the configuration to what each room wants to know. `metrics` outlives what hooks are made for.
 LogOptions LogOptionsOf(const ServerConfig& config);
-SqliteStoreOptions StoreOptionsOf(const ServerConfig& config);
+/// Hears what a store does while it opens: the steps of a migration.
+using StoreProgress = std::function<void(const std::string& message)>;
+/// In the file, or the PostgreSQL database, that is configured. FAILED_PRECONDITION for settings that it cannot serve.
+Result<std::unique_ptr<MapStore>> OpenStore(const ServerConfig& config, StoreProgress on_progress);
 /// Null where nothing is recorded.
 Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config);
 /// `records` may be null, and outlives the sessions.

@@ -14,7 +14,7 @@
 #include "server/net/address.h"
 #include "server/net/listening.h"
 #include "server/options.h"
-#include "storage/store.h"
+#include "storage/sqlite_store.h"
 
 namespace dhpmap {
 namespace {
@@ -88,6 +88,10 @@ void CheckUpgrade(const ServerConfig& config, const DatabaseLook& look, StartChe
 
 /// Whether a server runs on it.
 bool CheckDatabase(const ServerConfig& config, StartCheck& check) {
+  if (DatabaseFileOf(config).empty()) {
+    check.notes.emplace_back("the database server was not asked");
+    return false;
+  }
   const auto look = LookAtDatabase(config.db);
   AddFault("db", look.status(), check);
   if (!look.ok()) return false;

@@ -7,9 +7,9 @@
 
 #include "mapping/base/mutex.h"
 #include "storage/commit_rules.h"
-#include "storage/history/change_history.h"
-#include "storage/history/edit_history.h"
-#include "storage/history/edit_log.h"
+#include "storage/history/edit_tiles.h"
+#include "storage/history/logged_change.h"
+#include "storage/history/logged_edit.h"
 #include "storage/history/seen_clock.h"
 #include "storage/store.h"
 

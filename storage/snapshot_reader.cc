@@ -2,8 +2,6 @@
 #include "storage/snapshot_reader.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,49 +14,10 @@
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/rows/tile_rows.h"
-#include "storage/tiles/object_layers.h"
+#include "storage/submap_maker.h"
 
 namespace dhpmap {
 namespace {
-
-/// Bounds the memory for blobs not yet decoded: some 1 MB.
-constexpr std::size_t kTilesDecodedABatch = 128;
-
-/// The blobs of one tile, and what they decode to.
-struct DecodeJob {
-  TileIndex index;
-  TileKeys keys{};
-  std::array<Bytes, kNumBlockLayers> blobs;
-  bool is_shared = false;  ///< another submap may have the very same tile
-  std::shared_ptr<const BlockTile> tile;
-  const ObjectLayer* failed = nullptr;
-  Status status;
-};
-
-void Decode(DecodeJob& job, std::uint16_t store) {
-  auto tile = std::make_shared<BlockTile>();
-  for (const ObjectLayer& layer : ObjectLayers()) {
-    const auto i = static_cast<std::size_t>(layer.layer);
-    if (job.keys[i] == 0) continue;
-    job.status = layer.decode(job.blobs[i], job.index, *tile);
-    if (!job.status.ok()) {
-      job.failed = &layer;
-      return;
-    }
-    tile->stored(layer.layer).Set(store, job.keys[i]);
-  }
-  job.tile = std::move(tile);
-}
-
-/// Whether the row says of the tiles what is so.
-Status CheckStored(const SubmapRow& row, const Submap& submap, const TileTotals& totals) {
-  Status checked = CheckCounts(CountBlocks(submap), row.counts);
-  if (checked.ok() && row.CoversTiles() && totals.sum != row.tiles_sum) {
-    checked = DataLoss("has other tiles than were stored");
-  }
-  if (checked.ok()) return checked;
-  return DataLoss("submap " + std::to_string(row.info.id.value) + ": " + checked.message());
-}
 
 /// Whether enough is known of its tiles; `without_cells`: those of which some do not say which blocks they have,
 /// sorted.
@@ -86,72 +45,6 @@ Result<std::shared_ptr<const Submap>> Unread(const SubmapRow& row, std::uint16_t
   return std::shared_ptr<const Submap>(std::move(submap));
 }
 
-class SubmapReader {
- public:
-  SubmapReader(TileRowReader& rows, std::uint16_t store, ThreadPool& pool) : rows_(rows), store_(store), pool_(pool) {}
-
-  Result<std::shared_ptr<const Submap>> Read(const SubmapRow& row) {
-    constexpr std::uint64_t kOlderThanAnyWriter = 0;
-    auto submap = std::make_shared<Submap>(row.info, kOlderThanAnyWriter);
-    submap->set_bounding_sphere(row.sphere);
-    TileTotals totals;
-    DHPMAP_RETURN_IF_ERROR(rows_.ForEach(row.key, [&](const TileRowReader::Row& tile) -> Status {
-      totals.Add(tile.index, tile.layer, {.key = tile.blob_key});
-      return Take(tile, *submap);
-    }));
-    DHPMAP_RETURN_IF_ERROR(DecodeBatch(*submap));
-    DHPMAP_RETURN_IF_ERROR(CheckStored(row, *submap, totals));
-    submap->kept_outline().Keep(row.outline);
-    return std::shared_ptr<const Submap>(std::move(submap));
-  }
-
- private:
-  Status Take(const TileRowReader::Row& row, Submap& submap) {
-    const ObjectLayer* layer = FindObjectLayer(row.layer);
-    const std::uint32_t id = submap.id().value;
-    if (layer == nullptr) {
-      return FailedPrecondition(TileName(id, row.layer, row.index) + " is of a layer unknown to this version");
-    }
-    if (row.is_missing) return DataLoss(TileName(id, row.layer, row.index) + " is missing");
-    if (jobs_.empty() || jobs_.back().index != row.index) {
-      if (jobs_.size() == kTilesDecodedABatch) DHPMAP_RETURN_IF_ERROR(DecodeBatch(submap));
-      jobs_.emplace_back().index = row.index;
-    }
-    DecodeJob& job = jobs_.back();
-    const auto i = static_cast<std::size_t>(layer->layer);
-    job.keys[i] = row.blob_key;
-    job.blobs[i].assign(row.blob.begin(), row.blob.end());
-    job.is_shared = job.is_shared || row.is_shared;
-    return Status::Ok();
-  }
-
-  Status DecodeBatch(Submap& submap) {
-    for (DecodeJob& job : jobs_) {
-      const auto known = job.is_shared ? shared_.find(job.keys) : shared_.end();
-      if (known != shared_.end()) job.tile = known->second;
-    }
-    pool_.ParallelFor(jobs_.size(), [this](std::size_t i) {
-      if (jobs_[i].tile == nullptr) Decode(jobs_[i], store_);
-    });
-    for (DecodeJob& job : jobs_) {
-      if (!job.status.ok()) {
-        return {job.status.code(),
-                TileName(submap.id().value, job.failed->number, job.index) + " " + job.status.message()};
-      }
-      if (job.is_shared) shared_.emplace(job.keys, job.tile);
-      submap.PutTile(job.index, std::move(job.tile));
-    }
-    jobs_.clear();
-    return Status::Ok();
-  }
-
-  TileRowReader& rows_;
-  const std::uint16_t store_;
-  ThreadPool& pool_;
-  std::vector<DecodeJob> jobs_;
-  std::map<TileKeys, std::shared_ptr<const BlockTile>> shared_;  ///< clones share them in memory, too
-};
-
 Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::Database& database, const MapRow& map,
                                                                         std::uint16_t store, ThreadPool& pool,
                                                                         Paging* paging) {
@@ -160,7 +53,7 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::
     return DataLoss("has " + std::to_string(rows.size()) + " submaps, not " + std::to_string(map.num_submaps));
   }
   DHPMAP_ASSIGN_OR_RETURN(TileRowReader tiles, TileRowReader::Prepare(database));
-  SubmapReader reader(tiles, store, pool);
+  SubmapMaker maker(store, pool);
   std::vector<std::int64_t> without_cells;
   if (paging != nullptr) {
     DHPMAP_ASSIGN_OR_RETURN(without_cells, OwnersWithoutCells(database, map.key));
@@ -176,17 +69,12 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::
     if (paging != nullptr && CanBeLeftUnread(row, without_cells)) {
       DHPMAP_ASSIGN_OR_RETURN(submap, Unread(row, store, *paging, shared, map.info.name));
     } else {
-      DHPMAP_ASSIGN_OR_RETURN(submap, reader.Read(row));
+      maker.Begin(row);
+      DHPMAP_RETURN_IF_ERROR(tiles.ForEach(row.key, [&maker](const TileRow& tile) { return maker.Add(tile); }));
+      DHPMAP_ASSIGN_OR_RETURN(submap, maker.Finish());
     }
   }
   return submaps;
-}
-
-Status DamagedState(const std::string& name, const Status& status) {
-  Status named(status.code(), "map '" + name + "': " + status.message());
-  // What is refused here as not to be understood is of a version to come; all else is damage, or its cause.
-  return status.code() == StatusCode::kFailedPrecondition ? named.WithReason("NEWER_LAYER")
-                                                          : named.WithReason("DAMAGED_MAP");
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 
 #include "mapping/base/status_error.h"
 #include "mapping/submap/submap_outline.h"
-#include "storage/rows/submap_rows.h"
-#include "storage/rows/tile_rows.h"
 #include "storage/tiles/object_layers.h"
 
 namespace dhpmap {
@@ -56,9 +54,8 @@ void KeepOutlineOfSettled(const Submap& submap) {
 
 class SnapshotWriter {
  public:
-  SnapshotWriter(SubmapRowWriter submaps, TileRows tiles, std::uint16_t store, ThreadPool& pool,
-                 EditTileRecorder* recorder)
-      : submaps_(std::move(submaps)), tiles_(std::move(tiles)), store_(store), pool_(pool), recorder_(recorder) {}
+  SnapshotWriter(SubmapTable& submaps, TileTable& tiles, std::uint16_t store, ThreadPool& pool, EditTiles* recorder)
+      : submaps_(submaps), tiles_(tiles), store_(store), pool_(pool), recorder_(recorder) {}
 
   Result<WrittenTiles> Write(std::int64_t map_key, const std::vector<SubmapTileChange>& changes) {
     for (const SubmapTileChange& change : changes) {  // first, while what they are copies of is as it was
@@ -89,7 +86,7 @@ class SnapshotWriter {
   }
 
   Status RemoveSubmap(std::int64_t map_key, SubmapId id) {
-    DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> stored, submaps_.Find(map_key, id));
+    DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapTable::Stored> stored, submaps_.Find(map_key, id));
     if (!stored) return NotTheStateBefore(id);
     tiles_.NoteDeadBlobs();
     if (recorder_ != nullptr)
@@ -98,7 +95,7 @@ class SnapshotWriter {
   }
 
   Status WriteSubmap(std::int64_t map_key, const SubmapTileChange& change) {
-    DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> stored, submaps_.Find(map_key, change.id));
+    DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapTable::Stored> stored, submaps_.Find(map_key, change.id));
     if (stored.has_value() == change.is_new) return NotTheStateBefore(change.id);
     DHPMAP_ASSIGN_OR_RETURN(const Target target, stored           ? TargetOf(*change.after, *stored)
                                                  : change.copy_of ? CopiedTarget(map_key, change)
@@ -109,7 +106,7 @@ class SnapshotWriter {
     return Status::Ok();
   }
 
-  Result<Target> TargetOf(const Submap& submap, const SubmapRowWriter::Stored& stored) {
+  Result<Target> TargetOf(const Submap& submap, const SubmapTable::Stored& stored) {
     Target target{&submap, stored.key, stored.counts, {}};
     target.tiles.bytes = stored.counts.blob_bytes;
     target.tiles.sum = stored.tiles_sum;
@@ -127,8 +124,7 @@ class SnapshotWriter {
 
   /// A new one, with the tiles that its original has in the store.
   Result<Target> CopiedTarget(std::int64_t map_key, const SubmapTileChange& change) {
-    DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapRowWriter::Stored> original,
-                            submaps_.Find(map_key, *change.copy_of));
+    DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapTable::Stored> original, submaps_.Find(map_key, *change.copy_of));
     if (!original) return NotTheStateBefore(*change.copy_of);
     DHPMAP_ASSIGN_OR_RETURN(Target target, TargetOf(*change.after, *original));
     DHPMAP_ASSIGN_OR_RETURN(const Target copy, NewTarget(map_key, *change.after));
@@ -219,11 +215,11 @@ class SnapshotWriter {
     return Status::Ok();
   }
 
-  SubmapRowWriter submaps_;
-  TileRows tiles_;
+  SubmapTable& submaps_;
+  TileTable& tiles_;
   const std::uint16_t store_;
   ThreadPool& pool_;
-  EditTileRecorder* const recorder_;  // null: it is no edit
+  EditTiles* const recorder_;  // null: it is no edit
   std::vector<Target> targets_;
   std::vector<EncodeJob> jobs_;
   std::unordered_set<const BlockTile*> encoding_;  ///< tiles of the jobs
@@ -240,12 +236,10 @@ void WrittenTiles::TellTiles(std::uint16_t store) const {
   }
 }
 
-Result<WrittenTiles> WriteChanges(sqlite::Database& database, std::int64_t map_key,
+Result<WrittenTiles> WriteChanges(SubmapTable& submaps, TileTable& tiles, std::int64_t map_key,
                                   const std::vector<SubmapTileChange>& changes, std::uint16_t store, ThreadPool& pool,
-                                  EditTileRecorder* recorder) {
-  DHPMAP_ASSIGN_OR_RETURN(SubmapRowWriter submaps, SubmapRowWriter::Prepare(database));
-  DHPMAP_ASSIGN_OR_RETURN(TileRows tiles, TileRows::Prepare(database));
-  return SnapshotWriter(std::move(submaps), std::move(tiles), store, pool, recorder).Write(map_key, changes);
+                                  EditTiles* recorder) {
+  return SnapshotWriter(submaps, tiles, store, pool, recorder).Write(map_key, changes);
 }
 
 }  // namespace dhpmap

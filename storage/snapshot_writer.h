@@ -8,8 +8,7 @@
 
 #include "mapping/base/thread_pool.h"
 #include "mapping/changes/state_marks.h"
-#include "storage/history/edit_history.h"
-#include "storage/sqlite/database.h"
+#include "storage/commit/state_tables.h"
 
 namespace dhpmap {
 
@@ -37,11 +36,11 @@ class WrittenTiles {
   std::int64_t num_new_blobs_ = 0;
 };
 
-/// Writes the submaps, tiles and blobs of `changes`, within the caller's transaction, encoding on `pool`. Refers to
+/// Writes the submaps, tiles and blobs of `changes` to the tables of a store, encoding on `pool`. Refers to
 /// blobs whose keys in `store` the tiles already have. On error the caller rolls back. `recorder` (may be null) records
 /// the blobs before and after. FAILED_PRECONDITION if the stored tiles are not those that the changes start from.
-Result<WrittenTiles> WriteChanges(sqlite::Database& database, std::int64_t map_key,
+Result<WrittenTiles> WriteChanges(SubmapTable& submaps, TileTable& tiles, std::int64_t map_key,
                                   const std::vector<SubmapTileChange>& changes, std::uint16_t store, ThreadPool& pool,
-                                  EditTileRecorder* recorder = nullptr);
+                                  EditTiles* recorder = nullptr);
 
 }  // namespace dhpmap

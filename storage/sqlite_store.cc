@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "storage/sqlite_store.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "mapping/base/thread_pool.h"
 #include "storage/check/verify.h"
+#include "storage/commit/store_number.h"
 #include "storage/commit_rules.h"
 #include "storage/connection.h"
 #include "storage/fair_mutex.h"
@@ -40,26 +42,14 @@ namespace {
 using sqlite::Database;
 using sqlite::Transaction;
 
-/// Encoding and decoding gain little beyond that: SQLite itself takes as long on one.
-constexpr int kMaxThreads = 2;
-
 /// Free pages that stay in the file for what is stored next: 4 MB.
 constexpr std::int64_t kNumSparePages = 1024;
-
-/// Names the store to tiles in memory; 0, which is none, once there were too many in this process.
-std::uint16_t NextStoreNumber() {
-  static std::atomic<std::uint32_t> last = 0;
-  const std::uint32_t number = last.fetch_add(1) + 1;
-  return std::in_range<std::uint16_t>(number) ? static_cast<std::uint16_t>(number) : std::uint16_t{0};
-}
-
-int NumThreads() { return std::min(kMaxThreads, std::max(1, static_cast<int>(std::thread::hardware_concurrency()))); }
 
 /// What makes a store a writer: the only one of its database.
 struct Writer {
   FileLock lock;  // first, so that it outlives the connection (and the store closes its readers before)
   Database database;
-  ThreadPool pool{NumThreads()};
+  ThreadPool pool{NumCodecThreads()};
   Durability durability = Durability::kNormal;
 
   Writer(FileLock file_lock, Database connection) : lock(std::move(file_lock)), database(std::move(connection)) {}
@@ -289,7 +279,7 @@ class SqliteStore final : public MapStore {
 
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name, Paging& paging) {
     return Read<std::shared_ptr<const MapSnapshot>>([&](Database& database) {
-      ThreadPool pool(NumThreads());
+      ThreadPool pool(NumCodecThreads());
       return ReadSnapshot(database, name, number_, pool, paging.blobs != nullptr ? &paging : nullptr);
     });
   }
@@ -336,13 +326,15 @@ class SqliteStore final : public MapStore {
   Result<WrittenTiles> WriteState(Writer& writer, const MapRow& head, const MapInfo& info_before,
                                   const StateMarks& before, const MapSnapshot& after, const Writing& writing) {
     const MapLayersToWrite layers{*after.free_space(), writing.lacks_left ? *after.noted_vacated() : *after.vacated()};
+    DHPMAP_ASSIGN_OR_RETURN(TileRows tile_rows, TileRows::Prepare(writer.database));
     DHPMAP_ASSIGN_OR_RETURN(const TileTotals tiles,
-                            WriteMapLayers(writer.database, head, before, layers, writing.layers));
+                            WriteMapLayers(tile_rows, OwnerOfMap(head.key), head, before, layers, writing.layers));
     const StoredLayersOfMap stored{tiles, writing.lacks_left ? after.leaving() : std::nullopt};
     DHPMAP_RETURN_IF_ERROR(UpdateMap(writer.database, head, info_before, after, stored));
     const std::vector<SubmapTileChange> changes = DiffTiles(before, after);
-    DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written,
-                            WriteChanges(writer.database, head.key, changes, number_, writer.pool, writing.objects));
+    DHPMAP_ASSIGN_OR_RETURN(SubmapRowWriter submap_rows, SubmapRowWriter::Prepare(writer.database));
+    DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written, WriteChanges(submap_rows, tile_rows, head.key, changes, number_,
+                                                               writer.pool, writing.objects));
     if (before.revision() != after.revision()) {
       const std::int64_t now_ns = clock_->Now_ns();
       DHPMAP_RETURN_IF_ERROR(RecordChange(writer.database, head.key, after.info(),

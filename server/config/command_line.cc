@@ -21,7 +21,9 @@ struct Flags {
 
 void AddFlags(CLI::App& app, Flags& flags) {
   app.set_version_flag("--version", std::string("dhpmap-server ") + DHPMAP_VERSION);
-  app.add_option("--db", flags.db, "SQLite file with the maps; made if it is not there");
+  app.add_option(
+      "--db", flags.db,
+      "SQLite file with the maps, made if it is not there; or (experimental) postgresql://... of a database");
   app.add_option("--config", flags.config, "YAML file; see deploy/dhpmap.yaml");
   app.add_option("--grpc", flags.grpc, "address of the gRPC door [127.0.0.1:50051]");
   app.add_option("--http", flags.http, "address of the REST door [127.0.0.1:8080]");

@@ -110,8 +110,12 @@ std::vector<std::string> SplitByComma(const std::string& text) {
   return parts;
 }
 
+std::string DatabaseFileOf(const ServerConfig& config) {
+  return config.db.find("://") == std::string::npos ? config.db : "";
+}
+
 std::string KeyFileOf(const ServerConfig& config) {
-  if (!config.auth.keys.empty() || config.db.empty()) return config.auth.keys;
+  if (!config.auth.keys.empty() || DatabaseFileOf(config).empty()) return config.auth.keys;
   std::error_code error;
   // Beside the database and beside the link to it. Whatever it is, a link that leads nowhere, too: only where there is
   // nothing at all are keys off.

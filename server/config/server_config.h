@@ -115,7 +115,8 @@ struct ServerConfig {
 /// for text and switches. The one list of keys: file, environment, flags and --print-config all use it.
 template <typename Config, typename Visitor>
 void VisitServerFields(Config& c, Visitor&& visit) {
-  visit("db", c.db, 0, 0, "SQLite file of the maps; required to serve");
+  visit("db", c.db, 0, 0,
+        "SQLite file of the maps, or (experimental) postgresql://... of a database; required to serve");
   visit("insecure", c.insecure, 0, 0, "both of the next two; will go");
   visit("insecure_no_tls", c.insecure_no_tls, 0, 0, "allow addresses that other machines can reach, without TLS");
   visit("insecure_no_auth", c.insecure_no_auth, 0, 0, "allow addresses that other machines can reach, without keys");
@@ -216,6 +217,9 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "% of limits.inflight_mib that the calls of one principal may take");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at shutdown");
 }
+
+/// `db` if it is a file; empty if it is the URL of a database server.
+std::string DatabaseFileOf(const ServerConfig& config);
 
 /// The file of keys that is in force: `auth.keys`, or the one beside the database if there is one. Empty: keys are off.
 std::string KeyFileOf(const ServerConfig& config);

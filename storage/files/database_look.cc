@@ -8,7 +8,7 @@
 #include "storage/files/upgrade_copy.h"
 #include "storage/schema/migrate.h"
 #include "storage/sqlite/database.h"
-#include "storage/store.h"
+#include "storage/sqlite_store.h"
 
 namespace dhpmap {
 namespace {

@@ -20,12 +20,6 @@ constexpr char kTrimChangesTask[] = "delete what was changed long ago";
 /// Of those beyond the limits so many go with one commit, which adds one.
 constexpr std::int64_t kMostChangesTrimmed = 16;
 
-Status DamagedChanges(const std::string& map, std::int64_t after_revision) {
-  return DataLoss("map '" + map + "': what is kept of its changes after revision " + std::to_string(after_revision) +
-                  " is damaged")
-      .WithReason("DAMAGED_CHANGES");
-}
-
 /// The log that the change goes on with.
 Result<ChangeLogRow> LogBefore(Database& database, std::int64_t map_key, const MapInfo& info, const MapChange& change) {
   const auto stored = ReadChangeLog(database, map_key);
@@ -42,15 +36,7 @@ Result<ChangeLogRow> LogBefore(Database& database, std::int64_t map_key, const M
 
 Status InsertChange(Database& database, const MapChange& change, Bytes blob, std::int64_t now_ns,
                     const ChangeLogRow& log) {
-  ChangeRow row{.map_key = log.map_key,
-                .last_revision = change.last_revision,
-                .first_revision = change.first_revision,
-                .previous_revision = log.last_revision,
-                .time_ns = change.time_ns,
-                .blob = {std::move(blob)},
-                .seen_ns = now_ns,
-                .seal = {}};
-  row.seal = Changes().SealOf(row);
+  const ChangeRow row = ChangeRowOf(change, std::move(blob), now_ns, log);
   // A damaged row may have this number already.
   DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Changes().Upsert(), kWriteChangesTask));
   Changes().BindAll(row, upsert);
@@ -80,16 +66,6 @@ Status TrimChanges(Database& database, std::int64_t now_ns, const ChangeHistoryL
   return Status::Ok();
 }
 
-/// The change of a row; DATA_LOSS if it is none.
-Result<std::shared_ptr<const MapChange>> ChangeOf(const ChangeRow& row) {
-  auto change = std::make_shared<MapChange>();
-  change->first_revision = row.first_revision;
-  change->last_revision = row.last_revision;
-  change->time_ns = row.time_ns;
-  DHPMAP_RETURN_IF_ERROR(DecodeChange(row.blob.bytes, *change));
-  return std::shared_ptr<const MapChange>(std::move(change));
-}
-
 /// Rows from `after` on, each of which follows the one before.
 Status ReadChangeRows(Database& database, const MapRow& map, const ChangeLogRow& log, std::int64_t after,
                       std::size_t max_bytes, ChangeList& list) {
@@ -104,14 +80,10 @@ Status ReadChangeRows(Database& database, const MapRow& map, const ChangeLogRow&
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
     if (!has_row) return previous >= log.last_revision ? Status::Ok() : DamagedChanges(map.info.name, previous);
     ChangeRow row;
-    const bool is_intact = Changes().Read(select, row) && Changes().IsIntact(row, row.seal);
-    const bool follows = list.changes.empty() ? row.previous_revision <= previous : row.previous_revision == previous;
-    if (!is_intact || !follows) return DamagedChanges(map.info.name, previous);
-    auto change = ChangeOf(row);
-    if (change.status().code() == StatusCode::kDataLoss) return DamagedChanges(map.info.name, previous);
-    if (!change.ok()) return change.status();
-    num_bytes += BytesOf(**change);
-    list.changes.push_back(std::move(*change));
+    const bool is_read = Changes().Read(select, row);
+    DHPMAP_ASSIGN_OR_RETURN(auto change, ChangeOf(is_read, row, map.info.name, {previous, list.changes.empty()}));
+    num_bytes += BytesOf(*change);
+    list.changes.push_back(std::move(change));
     previous = row.last_revision;
   }
   list.has_more = previous < log.last_revision;
@@ -120,19 +92,6 @@ Status ReadChangeRows(Database& database, const MapRow& map, const ChangeLogRow&
 }
 
 }  // namespace
-
-bool IsBeyond(const ChangeHistoryLimits& limits, const ChangeTotals& totals, std::int64_t oldest_ns,
-              std::int64_t now_ns) {
-  return totals.num_changes > limits.max_changes || totals.num_bytes > limits.max_bytes ||
-         static_cast<double>(now_ns - oldest_ns) > limits.max_age_s * 1e9;
-}
-
-Status ChangesNotKept(std::int64_t complete_after) {
-  return OutOfRange("changes are kept from revision " + std::to_string(complete_after + 1) +
-                    " on: list the map again and go on from there")
-      .WithReason("COMPACTED")
-      .WithMetadata("oldest_revision", std::to_string(complete_after + 1));
-}
 
 Status RecordChange(Database& database, std::int64_t map_key, const MapInfo& info, const MapChange& change,
                     std::int64_t now_ns, const ChangeHistoryLimits& limits) {

@@ -7,6 +7,7 @@
 
 #include "mapping/changes/map_change.h"
 #include "mapping/map/map.h"
+#include "storage/history/logged_change.h"
 #include "storage/rows/change_rows.h"
 #include "storage/rows/map_rows.h"
 #include "storage/sqlite/database.h"
@@ -15,21 +16,6 @@
 namespace dhpmap {
 
 // The changes of a map's commits, as far back as the limits allow; see MapStore::ListChanges.
-
-/// Amount of kept changes of one map.
-struct ChangeTotals {
-  std::int64_t num_changes = 0;
-  std::int64_t num_bytes = 0;
-};
-
-// Ages are by SeenClock.
-
-/// Whether the oldest change, made at `oldest_ns`, exceeds the limits at `now_ns`.
-bool IsBeyond(const ChangeHistoryLimits& limits, const ChangeTotals& totals, std::int64_t oldest_ns,
-              std::int64_t now_ns);
-
-/// The error for changes that are not kept or never existed.
-Status ChangesNotKept(std::int64_t complete_after);
 
 /// Writes the change of a commit, within its transaction, and trims the history: of a large excess only a few more rows
 /// than a commit adds, so that no commit takes long. A damaged log, or one of another history, starts anew. `info`: of

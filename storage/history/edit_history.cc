@@ -10,9 +10,7 @@
 #include <vector>
 
 #include "storage/codec/edit_codec.h"
-#include "storage/codec/free_codec.h"
 #include "storage/rows/edit_rows.h"
-#include "storage/tiles/object_layers.h"
 
 namespace dhpmap {
 namespace {
@@ -27,27 +25,9 @@ constexpr char kTrimHistoryTask[] = "delete what undoes edits of long ago";
 
 /// Of those beyond the limits so many go with one edit.
 constexpr int kMostHistoriesTrimmed = 16;
-/// What a row of edit_tiles counts.
-constexpr std::int64_t kRowBytes = 64;
-
-Status DamagedHistory(const MapRow& map, std::int64_t revision, const std::string& what) {
-  return DataLoss("map '" + map.info.name + "': what undoes edit " + std::to_string(revision) + " " + what)
-      .WithReason("DAMAGED_EDITS");
-}
-
-/// A row of edit_tiles, with its blobs.
-struct Row {
-  std::int64_t submap_id = 0;
-  TileIndex index;
-  std::int64_t layer = 0;
-  std::int64_t before_key = 0, after_key = 0;
-  ByteView before, after;  ///< as long as the statement is at the row
-  std::int64_t num_bytes = 0;
-};
-
-Row RowAt(const Statement& statement) {
+EditTileRow RowAt(const Statement& statement) {
   Columns columns(statement);
-  Row row;
+  EditTileRow row;
   row.submap_id = columns.Int();
   for (std::int32_t* coordinate : {&row.index.x, &row.index.y, &row.index.z}) {
     *coordinate = static_cast<std::int32_t>(columns.Int());
@@ -56,59 +36,6 @@ Row RowAt(const Statement& statement) {
   row.before_key = columns.Int();
   row.after_key = columns.Int();
   return row;
-}
-
-/// One side of the tiles of a delta, layer by layer.
-class TileSide {
- public:
-  explicit TileSide(std::uint16_t store) : store_(store) {}
-
-  Status Add(const ObjectLayer& layer, TileIndex index, std::int64_t key, ByteView blob,
-             std::shared_ptr<const BlockTile>& side) const {
-    if (key == 0) return Status::Ok();
-    if (blob.empty()) return DataLoss("is missing");
-    // Made here, and not seen by anybody yet.
-    auto tile = side != nullptr ? std::const_pointer_cast<BlockTile>(side) : std::make_shared<BlockTile>();
-    DHPMAP_RETURN_IF_ERROR(layer.decode(blob, index, *tile));
-    tile->stored(layer.layer).Set(store_, key);
-    side = std::move(tile);
-    return Status::Ok();
-  }
-
- private:
-  std::uint16_t store_;
-};
-
-Status AddVacated(const Row& row, StateDelta& delta) {
-  VacatedDelta tile{.index = row.index, .before = nullptr, .after = nullptr};
-  for (const auto& [key, blob, side] :
-       {std::tuple(row.before_key, row.before, &tile.before), std::tuple(row.after_key, row.after, &tile.after)}) {
-    if (key == 0) continue;
-    auto decoded = std::make_shared<FreeTile>();
-    DHPMAP_RETURN_IF_ERROR(DecodeFreeTile(BlobKind::kVacatedV1, blob, row.index, *decoded));
-    *side = std::move(decoded);
-  }
-  delta.vacated.push_back(std::move(tile));
-  return Status::Ok();
-}
-
-/// Rows come by submap, then tile.
-Status AddTile(const Row& row, std::uint16_t store, StateDelta& delta) {
-  if (row.submap_id == kMapsOwnTiles && row.layer == LayerNumber(BlobKind::kVacatedV1)) return AddVacated(row, delta);
-  const auto submap = std::lower_bound(
-      delta.submaps.begin(), delta.submaps.end(), row.submap_id,
-      [](const SubmapDelta& s, std::int64_t id) { return static_cast<std::int64_t>(s.id.value) < id; });
-  const ObjectLayer* layer = FindObjectLayer(row.layer);
-  const bool is_named = submap != delta.submaps.end() && std::int64_t{submap->id.value} == row.submap_id;
-  if (!is_named || layer == nullptr) return DataLoss("is of an object or layer that it does not name");
-  if (submap->tiles.empty() || submap->tiles.back().index != row.index) {
-    submap->tiles.push_back({.index = row.index, .differs = {}, .before = nullptr, .after = nullptr});
-  }
-  TileDelta& tile = submap->tiles.back();
-  tile.differs[static_cast<std::size_t>(layer->layer)] = true;
-  const TileSide side(store);
-  DHPMAP_RETURN_IF_ERROR(side.Add(*layer, row.index, row.before_key, row.before, tile.before));
-  return side.Add(*layer, row.index, row.after_key, row.after, tile.after);
 }
 
 Result<std::optional<std::int64_t>> OldestKept(Database& database, std::int64_t map_key) {
@@ -133,24 +60,17 @@ Status ReadTiles(Database& database, const MapRow& map, const EditHistoryRow& hi
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
     if (!has_row) break;
-    Row row = RowAt(select);
+    EditTileRow row = RowAt(select);
     row.before = select.Blob(7);
     row.after = select.Blob(8);
     AddEditTile(totals, row.submap_id, row.index, row.layer, row.before_key, row.after_key);
-    const Status added = AddTile(row, store, delta);
+    const Status added = AddEditTileTo(row, store, delta);
     if (!added.ok()) return DamagedHistory(map, history.revision, added.message());
   }
   return totals.sum == history.tiles_sum ? Status::Ok() : DamagedHistory(map, history.revision, "lacks tiles");
 }
 
 }  // namespace
-
-void AddEditTile(TileTotals& totals, std::int64_t submap_id, TileIndex index, std::int64_t layer,
-                 std::int64_t before_key, std::int64_t after_key) {
-  constexpr std::int64_t kLayersAnOwner = 256;
-  totals.Add(index, submap_id * kLayersAnOwner + layer, {.key = before_key});
-  totals.Add(index, ~(submap_id * kLayersAnOwner + layer), {.key = after_key});
-}
 
 Result<EditTileRecorder> EditTileRecorder::Prepare(Database& database, std::int64_t edit_key) {
   EditTileRecorder recorder(edit_key);
@@ -202,7 +122,7 @@ Status EditTileRecorder::Note(std::int64_t submap_id, TileIndex index, std::int6
     if (blob.key != 0) DHPMAP_RETURN_IF_ERROR(share_->Bind(blob.key).Run());
   }
   AddEditTile(totals_, submap_id, index, layer, before.key, after.key);
-  totals_.bytes += before.bytes + after.bytes + kRowBytes;
+  totals_.bytes += before.bytes + after.bytes + kEditTileBytes;
   return Status::Ok();
 }
 
@@ -252,22 +172,13 @@ Status EditTileRecorder::NoteAll(Side side, SubmapId id, std::int64_t owner_key,
     for (std::int32_t* axis : {&index.x, &index.y, &index.z}) *axis = static_cast<std::int32_t>(columns.Int());
     const std::int64_t layer = columns.Int(), key = columns.Int();
     AddEditTile(totals_, id.value, index, layer, side == Side::kBefore ? key : 0, side == Side::kAfter ? key : 0);
-    totals_.bytes += kRowBytes;
+    totals_.bytes += kEditTileBytes;
   }
 }
 
 Status RecordHistory(Database& database, std::int64_t map_key, std::int64_t edit_key, const EditRecord& edit,
                      const MapSnapshot& after, const EditTileRecorder& tiles) {
-  EditHistoryRow row{.key = edit_key,
-                     .map_key = map_key,
-                     .revision = edit.entry.revision,
-                     .time_ns = edit.entry.time_ns,
-                     .num_bytes = tiles.num_bytes(),
-                     .tiles_sum = tiles.tiles_sum(),
-                     .blob = {EncodeEditRows(DiffRows(*edit.before, after), edit.entry.revision)},
-                     .seal = {}};
-  row.num_bytes += static_cast<std::int64_t>(row.blob.bytes.size());
-  row.seal = EditHistories().SealOf(row);
+  const EditHistoryRow row = EditHistoryRowOf(map_key, edit_key, edit, after, {tiles.num_bytes(), tiles.tiles_sum()});
   DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(EditHistories().Insert(), kWriteHistoryTask));
   EditHistories().BindAll(row, insert);
   return insert.Run();
@@ -342,13 +253,6 @@ Status TrimHistories(Database& database, std::int64_t map_key, std::int64_t now_
     DHPMAP_RETURN_IF_ERROR(erase.Bind(key).Run());
   }
   return Status::Ok();
-}
-
-Status UndoNotKept(std::int64_t revision, std::optional<std::int64_t> oldest_edit) {
-  Status status = FailedPrecondition("what it takes to undo edit " + std::to_string(revision) + " is not kept" +
-                                     (oldest_edit ? ", but from edit " + std::to_string(*oldest_edit) + " on" : ""))
-                      .WithReason("UNDO_NOT_KEPT");
-  return oldest_edit ? std::move(status).WithMetadata("oldest_edit", std::to_string(*oldest_edit)) : status;
 }
 
 Result<StateDelta> ReadHistory(Database& database, const MapRow& map, std::int64_t revision, std::uint16_t store) {

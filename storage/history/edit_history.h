@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "storage/commit/state_tables.h"
+#include "storage/history/edit_tiles.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/tile_rows.h"
 #include "storage/sqlite/database.h"
@@ -13,22 +15,15 @@ namespace dhpmap {
 
 // Undo data of edits: rows as blobs, tiles as references to blobs, which they keep alive.
 
-inline constexpr std::int64_t kMapsOwnTiles = -1;       ///< column edit_tiles.submap_id
-inline constexpr std::int64_t kMostTilesTrimmed = 256;  ///< rows of edit_tiles deleted by one edit
-
 /// Records the blobs of tiles before and after an edit, within the edit's transaction. One for each edit.
-class EditTileRecorder {
+class EditTileRecorder final : public EditTiles {
  public:
   static Result<EditTileRecorder> Prepare(sqlite::Database& database, std::int64_t edit_key);
 
-  /// Call before a row of tiles changes from one blob to another; key 0: no row.
   Status Note(std::int64_t submap_id, TileIndex index, std::int64_t layer, const StoredBlob& before,
-              const StoredBlob& after);
-  /// Records all rows of a new owner, after they are written, with the bytes of their blobs. `is_counted`: the blobs'
-  /// reference counts include this one already.
-  Status NoteNew(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes, bool is_counted);
-  /// Likewise, all rows of an owner before they are deleted.
-  Status NoteRemoved(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes);
+              const StoredBlob& after) override;
+  Status NoteNew(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes, bool is_counted) override;
+  Status NoteRemoved(SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes) override;
 
   /// Over everything recorded: the sum of the rows, and the bytes of blobs and rows.
   [[nodiscard]] std::int64_t tiles_sum() const { return totals_.sum; }
@@ -49,10 +44,6 @@ class EditTileRecorder {
   TileTotals totals_;
 };
 
-/// Adds a row of edit_tiles to the sum of its edit, as two rows of tiles.
-void AddEditTile(TileTotals& totals, std::int64_t submap_id, TileIndex index, std::int64_t layer,
-                 std::int64_t before_key, std::int64_t after_key);
-
 /// Writes the remaining undo data. `tiles`: the recorded ones.
 Status RecordHistory(sqlite::Database& database, std::int64_t map_key, std::int64_t edit_key, const EditRecord& edit,
                      const MapSnapshot& after, const EditTileRecorder& tiles);
@@ -70,8 +61,5 @@ Status TrimHistories(sqlite::Database& database, std::int64_t map_key, std::int6
 /// See MapStore::LoadEdit. `store`: for the keys of tiles.
 Result<StateDelta> ReadHistory(sqlite::Database& database, const MapRow& map, std::int64_t revision,
                                std::uint16_t store);
-
-/// The error for an edit without undo data; names the oldest edit that has them.
-Status UndoNotKept(std::int64_t revision, std::optional<std::int64_t> oldest_edit);
 
 }  // namespace dhpmap

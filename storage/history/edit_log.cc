@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "storage/codec/edit_codec.h"
 #include "storage/rows/edit_rows.h"
 
 namespace dhpmap {
@@ -19,12 +18,6 @@ constexpr char kTrimEditsTask[] = "delete edits of long ago from their log";
 
 /// Of those beyond the limits so many go with one edit.
 constexpr int kMostEditsTrimmed = 16;
-
-Status DamagedLog(const std::string& map, const std::string& what) {
-  return DataLoss("map '" + map + "': " + what + " of the log of its edits is damaged").WithReason("DAMAGED_EDITS");
-}
-
-ChangeBlob BlobOf(const std::string& text) { return {Bytes(text.begin(), text.end())}; }
 
 Status InsertTargets(Database& database, std::int64_t map_key, const EditEntry& entry) {
   if (entry.summary.targets.empty()) return Status::Ok();
@@ -82,34 +75,20 @@ class TargetStates {
   Statement select_;
 };
 
+/// The row that the statement stands at.
+Result<EditRow> IntactEdit(const Statement& select, const std::string& map) {
+  EditRow row;
+  const bool is_read = Edits().Read(select, row);
+  DHPMAP_RETURN_IF_ERROR(CheckEdit(is_read, row, map));
+  return row;
+}
+
 }  // namespace
-
-bool IsBeyond(const EditLogLimits& limits, std::int64_t num_edits, std::int64_t num_bytes, std::int64_t oldest_ns,
-              std::int64_t now_ns) {
-  return num_edits > limits.max_edits || num_bytes > limits.max_bytes ||
-         static_cast<double>(now_ns - oldest_ns) > limits.max_age_s * 1e9;
-}
-
-std::int64_t LogBytesOf(const EditRecord& edit, std::size_t summary_bytes) {
-  constexpr std::size_t kRowBytes = 64;
-  const EditSource& source = edit.entry.source;
-  return static_cast<std::int64_t>(kRowBytes + source.author.size() + source.request_id.size() + summary_bytes +
-                                   edit.answer.size());
-}
 
 Result<std::int64_t> RecordEdit(Database& database, std::int64_t map_key, const EditRecord& edit, std::int64_t now_ns,
                                 const EditLogLimits& limits) {
   const EditEntry& entry = edit.entry;
-  EditRow row{.map_key = map_key,
-              .revision = entry.revision,
-              .time_ns = entry.time_ns,
-              .kind = entry.summary.kind,
-              .source = entry.source,
-              .summary = {EncodeEditSummary(entry)},
-              .answer = BlobOf(edit.answer),
-              .seen_ns = now_ns,
-              .seal = {}};
-  row.seal = Edits().SealOf(row);
+  const EditRow row = EditRowOf(map_key, edit, now_ns);
   DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Edits().Insert(), kWriteEditsTask));
   Edits().BindAll(row, insert);
   DHPMAP_RETURN_IF_ERROR(insert.Run());
@@ -134,15 +113,8 @@ Result<std::vector<LoggedEdit>> ReadEdits(Database& database, const MapRow& map,
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
     if (!has_row) return edits;
-    EditRow row;
-    if (!Edits().Read(select, row) || !Edits().IsIntact(row, row.seal)) {
-      return DamagedLog(map.info.name, "revision " + std::to_string(row.revision));
-    }
-    LoggedEdit edit{.entry = {.revision = row.revision, .time_ns = row.time_ns, .source = row.source, .summary = {}}};
-    edit.entry.summary.kind = row.kind;
-    if (!DecodeEditSummary(row.summary.bytes, edit.entry).ok()) {
-      return DamagedLog(map.info.name, "revision " + std::to_string(row.revision));
-    }
+    DHPMAP_ASSIGN_OR_RETURN(EditRow row, IntactEdit(select, map.info.name));
+    DHPMAP_ASSIGN_OR_RETURN(LoggedEdit edit, LoggedEditOf(row, map.info.name));
     DHPMAP_ASSIGN_OR_RETURN(edit.is_undone, states.IsUndone(map.key, row.revision));
     DHPMAP_ASSIGN_OR_RETURN(edit.is_kept, kept.Bind(row.key).Step());
     kept.Reset();
@@ -158,13 +130,8 @@ Result<std::optional<StoredAnswer>> ReadAnswer(Database& database, const MapRow&
           kReadEditsTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Bind(map.key).Bind(std::string_view(request_id)).Step());
   if (!has_row) return std::optional<StoredAnswer>();
-  EditRow row;
-  if (!Edits().Read(select, row) || !Edits().IsIntact(row, row.seal)) {
-    return DamagedLog(map.info.name, "revision " + std::to_string(row.revision));
-  }
-  return std::optional(StoredAnswer{.revision = row.revision,
-                                    .request_fingerprint = row.source.request_fingerprint,
-                                    .answer = std::string(row.answer.bytes.begin(), row.answer.bytes.end())});
+  DHPMAP_ASSIGN_OR_RETURN(const EditRow row, IntactEdit(select, map.info.name));
+  return std::optional(AnswerOf(row));
 }
 
 }  // namespace dhpmap

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "storage/codec/free_codec.h"
+#include "storage/history/edit_tiles.h"
 #include "storage/tiles/tile_name.h"
 
 namespace dhpmap {
@@ -18,8 +19,8 @@ std::string NameOf(std::int64_t layer, TileIndex index) {
   }
 }
 
-Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const FreeSpaceChange& change,
-                  TileTotals& totals, EditTileRecorder* recorder) {
+Status WriteLayer(TileTable& rows, std::int64_t owner_key, BlobKind kind, const FreeSpaceChange& change,
+                  TileTotals& totals, EditTiles* recorder) {
   const std::size_t layer = LayerNumber(kind);
   for (const TileIndex index : change.erased) {
     DHPMAP_ASSIGN_OR_RETURN(const StoredLayers stored, rows.Find(owner_key, index));
@@ -43,20 +44,17 @@ Status WriteLayer(TileRows& rows, std::int64_t owner_key, BlobKind kind, const F
 
 }  // namespace
 
-Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head, const StateMarks& before,
-                                  const MapLayersToWrite& after, EditTileRecorder* recorder) {
+Result<TileTotals> WriteMapLayers(TileTable& rows, std::int64_t owner_key, const MapRow& head, const StateMarks& before,
+                                  const MapLayersToWrite& after, EditTiles* recorder) {
   TileTotals totals = head.tiles;
-  const std::int64_t owner_key = OwnerOfMap(head.key);
-  const FreeSpaceChange free = DiffFreeSpace(before, after.free_space);
-  const FreeSpaceChange vacated = DiffVacated(before, after.vacated);
-  if (!free.empty() || !vacated.empty() || !head.CoversTiles()) {
-    DHPMAP_ASSIGN_OR_RETURN(TileRows rows, TileRows::Prepare(database));
-    if (!head.CoversTiles()) {
-      DHPMAP_ASSIGN_OR_RETURN(totals, rows.Count(owner_key));
-    }
-    DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kFreeV1, free, totals, nullptr));
-    DHPMAP_RETURN_IF_ERROR(WriteLayer(rows, owner_key, BlobKind::kVacatedV1, vacated, totals, recorder));
+  if (!head.CoversTiles()) {
+    DHPMAP_ASSIGN_OR_RETURN(totals, rows.Count(owner_key));
   }
+  DHPMAP_RETURN_IF_ERROR(
+      WriteLayer(rows, owner_key, BlobKind::kFreeV1, DiffFreeSpace(before, after.free_space), totals, nullptr));
+  DHPMAP_RETURN_IF_ERROR(
+      WriteLayer(rows, owner_key, BlobKind::kVacatedV1, DiffVacated(before, after.vacated), totals, recorder));
+  rows.NoteDeadBlobs();  // of what the recorder let go
   if (totals.num_rows == static_cast<std::int64_t>(after.free_space.tiles().size() + after.vacated.tiles().size())) {
     return totals;
   }
@@ -64,29 +62,33 @@ Result<TileTotals> WriteMapLayers(sqlite::Database& database, const MapRow& head
       .WithReason("STALE_STATE");
 }
 
+Status MapLayersMaker::Add(const TileRow& row) {
+  totals_.Add(row.index, row.layer, {.key = row.blob_key});
+  const bool is_free = row.layer == LayerNumber(BlobKind::kFreeV1);
+  if (!is_free && row.layer != LayerNumber(BlobKind::kVacatedV1)) {
+    return FailedPrecondition(NameOf(row.layer, row.index) + " is of a layer unknown to this version");
+  }
+  if (row.is_missing) return DataLoss(NameOf(row.layer, row.index) + " is missing");
+  auto tile = std::make_shared<FreeTile>();
+  const Status decoded = DecodeFreeTile(is_free ? BlobKind::kFreeV1 : BlobKind::kVacatedV1, row.blob, row.index, *tile);
+  if (!decoded.ok()) return {decoded.code(), NameOf(row.layer, row.index) + " " + decoded.message()};
+  (is_free ? free_space_ : vacated_)->Put(row.index, std::move(tile));
+  return Status::Ok();
+}
+
+Result<MapLayers> MapLayersMaker::Finish(const MapRow& map) {
+  if (totals_.num_rows != map.tiles.num_rows) {
+    return DataLoss("has " + std::to_string(totals_.num_rows) + " tiles, not " + std::to_string(map.tiles.num_rows));
+  }
+  if (map.CoversTiles() && totals_.sum != map.tiles.sum) return DataLoss("has other tiles than were stored");
+  return MapLayers{free_space_, vacated_};
+}
+
 Result<MapLayers> ReadMapLayers(sqlite::Database& database, const MapRow& map) {
   DHPMAP_ASSIGN_OR_RETURN(TileRowReader rows, TileRowReader::Prepare(database));
-  const auto free_space = std::make_shared<FreeSpace>(), vacated = std::make_shared<FreeSpace>();
-  TileTotals totals;
-  DHPMAP_RETURN_IF_ERROR(rows.ForEach(OwnerOfMap(map.key), [&](const TileRowReader::Row& row) -> Status {
-    totals.Add(row.index, row.layer, {.key = row.blob_key});
-    const bool is_free = row.layer == LayerNumber(BlobKind::kFreeV1);
-    if (!is_free && row.layer != LayerNumber(BlobKind::kVacatedV1)) {
-      return FailedPrecondition(NameOf(row.layer, row.index) + " is of a layer unknown to this version");
-    }
-    if (row.is_missing) return DataLoss(NameOf(row.layer, row.index) + " is missing");
-    auto tile = std::make_shared<FreeTile>();
-    const Status decoded =
-        DecodeFreeTile(is_free ? BlobKind::kFreeV1 : BlobKind::kVacatedV1, row.blob, row.index, *tile);
-    if (!decoded.ok()) return {decoded.code(), NameOf(row.layer, row.index) + " " + decoded.message()};
-    (is_free ? free_space : vacated)->Put(row.index, std::move(tile));
-    return Status::Ok();
-  }));
-  if (totals.num_rows != map.tiles.num_rows) {
-    return DataLoss("has " + std::to_string(totals.num_rows) + " tiles, not " + std::to_string(map.tiles.num_rows));
-  }
-  if (map.CoversTiles() && totals.sum != map.tiles.sum) return DataLoss("has other tiles than were stored");
-  return MapLayers{free_space, vacated};
+  MapLayersMaker layers;
+  DHPMAP_RETURN_IF_ERROR(rows.ForEach(OwnerOfMap(map.key), [&layers](const TileRow& row) { return layers.Add(row); }));
+  return layers.Finish(map);
 }
 
 }  // namespace dhpmap

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/rows/change_rows.h"
 
+#include "storage/sqlite/database.h"
+
 namespace dhpmap {
 
 const Table<ChangeRow>& Changes() {

@@ -7,9 +7,12 @@
 
 #include "storage/codec/bytes.h"
 #include "storage/rows/table.h"
-#include "storage/sqlite/database.h"
 
 namespace dhpmap {
+
+namespace sqlite {
+class Database;
+}
 
 // Rows of changes and change_logs. Each has its own checksum: the map is complete without them.
 

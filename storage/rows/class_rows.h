@@ -7,9 +7,12 @@
 
 #include "mapping/labels/label_set.h"
 #include "storage/rows/table.h"
-#include "storage/sqlite/database.h"
 
 namespace dhpmap {
+
+namespace sqlite {
+class Database;
+}
 
 /// One class of a map's label set.
 struct ClassRow {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "storage/sqlite/database.h"
+
 namespace dhpmap {
 namespace {
 
@@ -42,9 +44,7 @@ Result<std::vector<ConfigRow>> WriteConfigRows(Database& database, std::int64_t 
   DHPMAP_ASSIGN_OR_RETURN(Statement clear,
                           database.Prepare("DELETE FROM map_config WHERE map_key = ?", kWriteConfigTask));
   DHPMAP_RETURN_IF_ERROR(clear.Bind(map_key).Run());
-  std::vector<ConfigRow> rows;
-  for (auto& [key, value] : ConfigToText(config)) rows.push_back({map_key, key, value});
-  std::sort(rows.begin(), rows.end(), [](const ConfigRow& a, const ConfigRow& b) { return a.key < b.key; });
+  std::vector<ConfigRow> rows = ConfigRowsOf(map_key, config);
   DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(ConfigTable().Insert(), kWriteConfigTask));
   for (const ConfigRow& row : rows) {
     ConfigTable().BindAll(row, insert);
@@ -77,6 +77,13 @@ Result<MapConfig> ConfigOf(const std::vector<ConfigRow>& rows) {
     return FailedPrecondition("the map's config is not of this version: " + set.message()).WithReason("NEWER_CONFIG");
   }
   return config;
+}
+
+std::vector<ConfigRow> ConfigRowsOf(std::int64_t map_key, const MapConfig& config) {
+  std::vector<ConfigRow> rows;
+  for (auto& [key, value] : ConfigToText(config)) rows.push_back({map_key, key, value});
+  std::sort(rows.begin(), rows.end(), [](const ConfigRow& a, const ConfigRow& b) { return a.key < b.key; });
+  return rows;
 }
 
 }  // namespace dhpmap

@@ -7,9 +7,12 @@
 
 #include "mapping/map/map_config.h"
 #include "storage/rows/table.h"
-#include "storage/sqlite/database.h"
 
 namespace dhpmap {
+
+namespace sqlite {
+class Database;
+}
 
 /// One key of a map's config, as text.
 struct ConfigRow {
@@ -19,6 +22,8 @@ struct ConfigRow {
 };
 const Table<ConfigRow>& ConfigTable();
 
+/// Of every key, ascending.
+std::vector<ConfigRow> ConfigRowsOf(std::int64_t map_key, const MapConfig& config);
 /// By ascending key.
 Result<std::vector<ConfigRow>> ReadConfigRows(sqlite::Database& database, std::int64_t map_key);
 /// Writes every key of `config` in place of what is stored. Returns the rows, by ascending key.

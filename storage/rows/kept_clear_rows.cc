@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "storage/sqlite/database.h"
+
 namespace dhpmap {
 namespace {
 

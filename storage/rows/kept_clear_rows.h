@@ -6,9 +6,12 @@
 
 #include "mapping/map/kept_clear.h"
 #include "storage/rows/table.h"
-#include "storage/sqlite/database.h"
 
 namespace dhpmap {
+
+namespace sqlite {
+class Database;
+}
 
 /// An ignored region of a map.
 struct KeptClearRow {

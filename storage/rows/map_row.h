@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mapping/map/map.h"
+#include "storage/commit/tile_totals.h"
 #include "storage/rows/table.h"
-#include "storage/rows/tile_rows.h"
 #include "storage/store.h"
 
 namespace dhpmap {

@@ -8,7 +8,7 @@
 #include "storage/rows/class_rows.h"
 #include "storage/rows/config_rows.h"
 #include "storage/rows/kept_clear_rows.h"
-#include "storage/rows/map_checksum_v1.h"
+#include "storage/rows/map_parts.h"
 #include "storage/rows/object_rows.h"
 #include "storage/rows/session_rows.h"
 
@@ -21,30 +21,6 @@ using sqlite::Statement;
 constexpr char kReadMapTask[] = "read the map";
 constexpr char kWriteMapTask[] = "write the map";
 
-Status NoSuchMap(const std::string& name) {
-  return NotFound("there is no map '" + name + "'").WithReason("MAP_NOT_FOUND");
-}
-
-Status DamagedRows(const std::string& name, const std::string& what) {
-  return DataLoss("map '" + name + "': " + what).WithReason("DAMAGED_MAP");
-}
-
-/// The version that map rows are sealed with now: it stands for the columns of their parts, too.
-int SealVersion() {
-  return std::max({Maps().version(), Classes().version(), Sessions().version(), MergedTable().version(),
-                   PairTable().version(), KeptClearTable().version()});
-}
-
-/// What stands in other tables.
-struct MapParts {
-  std::vector<ConfigRow> config;
-  std::vector<ClassRow> classes;
-  std::vector<SessionRow> sessions;
-  std::vector<MergedRow> merged;
-  std::vector<PairRow> pairs;
-  std::vector<KeptClearRow> kept_clear;
-};
-
 Result<MapParts> ReadParts(Database& database, std::int64_t map_key) {
   MapParts parts;
   DHPMAP_ASSIGN_OR_RETURN(parts.config, ReadConfigRows(database, map_key));
@@ -56,74 +32,18 @@ Result<MapParts> ReadParts(Database& database, std::int64_t map_key) {
   return parts;
 }
 
-void SealParts(MapRow& row, const MapParts& parts) {
-  row.config_checksum = ConfigChecksum(parts.config);
-  row.classes_checksum = ClassesChecksum(parts.classes, SealVersion());
-  row.sessions_checksum = SessionsChecksum(parts.sessions, SealVersion());
-  row.merged_checksum = MergedChecksum(parts.merged, SealVersion());
-  row.pairs_checksum = PairsChecksum(parts.pairs, SealVersion());
-  row.kept_clear_checksum = KeptClearChecksum(parts.kept_clear, SealVersion());
-}
-
-/// With the checksums of its parts as they are in it.
-void SealRow(MapRow& row) { row.seal = {SealVersion(), Maps().Checksum(row, SealVersion())}; }
-
-/// Whether the row and its parts are what was written together.
-Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
-  const int version = row.seal.version;
-  // What came with a later version has nothing to cover it.
-  const bool has_objects = !parts.merged.empty() || !parts.pairs.empty();
-  if (version < 5 && (has_objects || row.merged_checksum != 0 || row.pairs_checksum != 0)) return false;
-  if (version < 8 && row.leaving_id != -1) return false;
-  if (version < 7 && (!parts.kept_clear.empty() || row.kept_clear_checksum != 0)) return false;
-  if (version < 6 && row.tiles.sum != 0) return false;
-  if (version < 4 && row.tiles.num_rows != 0) return false;
-  if (version < 3 && (!parts.sessions.empty() || row.sessions_checksum != 0)) return false;
-  if (version == 1) {
-    DHPMAP_ASSIGN_OR_RETURN(const std::uint32_t checksum, MapChecksumV1(row, parts.config, parts.classes));
-    return checksum == row.seal.checksum;
-  }
-  return version >= 2 && version <= SealVersion() && row.config_checksum == ConfigChecksum(parts.config) &&
-         row.classes_checksum == ClassesChecksum(parts.classes, version) &&
-         (version < 3 || row.sessions_checksum == SessionsChecksum(parts.sessions, version)) &&
-         (version < 5 || (row.merged_checksum == MergedChecksum(parts.merged, version) &&
-                          row.pairs_checksum == PairsChecksum(parts.pairs, version))) &&
-         (version < 7 || row.kept_clear_checksum == KeptClearChecksum(parts.kept_clear, version)) &&
-         row.seal.checksum == Maps().Checksum(row, version);
-}
-
-/// Reads config, label set, sessions and what is known of objects into `row`, and checks them all.
-Status ReadInfo(Database& database, MapRow& row) {
-  DHPMAP_ASSIGN_OR_RETURN(const MapParts parts, ReadParts(database, row.key));
-  DHPMAP_ASSIGN_OR_RETURN(const bool is_intact, IsIntact(row, parts));
-  if (!is_intact) return DataLoss("its row has a wrong checksum");
-  DHPMAP_ASSIGN_OR_RETURN(row.info.config, ConfigOf(parts.config));
-  DHPMAP_ASSIGN_OR_RETURN(row.info.label_set, LabelSetOf(parts.classes));
-  DHPMAP_ASSIGN_OR_RETURN(row.info.sessions, SessionMarksOf(parts.sessions));
-  DHPMAP_ASSIGN_OR_RETURN(row.info.merged, MergedIdsOf(parts.merged));
-  DHPMAP_ASSIGN_OR_RETURN(row.info.pairs, ObjectPairsOf(parts.pairs));
-  DHPMAP_ASSIGN_OR_RETURN(row.info.kept_clear, KeptClearOf(parts.kept_clear));
-  return Status::Ok();
-}
-
-/// Raises the marks to the row's own numbers.
-void RaiseMarks(MapRow& row) {
-  row.marks.revision = std::max(row.marks.revision, row.info.revision);
-  row.marks.next_submap_id = std::max(row.marks.next_submap_id, row.info.next_submap_id);
-}
-
 /// Writes a row that was read, with another seal; what stands in other tables stays.
 Status Rewrite(Database& database, MapRow& row) {
-  if (row.seal.version != SealVersion()) {
+  if (row.seal.version != MapSealVersion()) {
     DHPMAP_ASSIGN_OR_RETURN(const MapParts parts, ReadParts(database, row.key));
-    SealParts(row, parts);
+    SealMapParts(row, parts);
   }
   if (!row.CoversTiles()) {
     DHPMAP_ASSIGN_OR_RETURN(TileRows tiles, TileRows::Prepare(database));
     DHPMAP_ASSIGN_OR_RETURN(const TileTotals stored, tiles.Count(OwnerOfMap(row.key)));
     row.tiles.sum = stored.sum;  // their number stays what it was sealed with
   }
-  SealRow(row);
+  SealMapRow(row);
   DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteMapTask));
   Maps().BindChanges(row, update);
   return update.Bind(row.key).Run();
@@ -132,25 +52,25 @@ Status Rewrite(Database& database, MapRow& row) {
 /// Writes what is known of objects, and regions that are kept clear, with the checksums of it, where it differs from
 /// `before`.
 Status UpdateObjects(Database& database, const MapRow& head, const MapInfo& before, MapRow& row) {
-  const bool is_older = head.seal.version < SealVersion();
+  const bool is_older = head.seal.version < MapSealVersion();
   const bool is_new = head.seal.version == 0;  // nothing is stored yet, whatever `before` says
   row.merged_checksum = head.merged_checksum;
   row.pairs_checksum = head.pairs_checksum;
   if (is_older || row.info.merged != before.merged) {
     DHPMAP_ASSIGN_OR_RETURN(const auto merged,
                             WriteMergedRows(database, head.key, is_new ? MergedIds() : before.merged, row.info.merged));
-    row.merged_checksum = MergedChecksum(merged, SealVersion());
+    row.merged_checksum = MergedChecksum(merged, MapSealVersion());
   }
   if (is_older || row.info.pairs != before.pairs) {
     DHPMAP_ASSIGN_OR_RETURN(const auto pairs,
                             WritePairRows(database, head.key, is_new ? ObjectPairs() : before.pairs, row.info.pairs));
-    row.pairs_checksum = PairsChecksum(pairs, SealVersion());
+    row.pairs_checksum = PairsChecksum(pairs, MapSealVersion());
   }
   row.kept_clear_checksum = head.kept_clear_checksum;
   if (is_older || row.info.kept_clear != before.kept_clear) {
     const KeptClear stored = is_new ? KeptClear() : before.kept_clear;
     DHPMAP_ASSIGN_OR_RETURN(const auto kept_clear, WriteKeptClearRows(database, head.key, stored, row.info.kept_clear));
-    row.kept_clear_checksum = KeptClearChecksum(kept_clear, SealVersion());
+    row.kept_clear_checksum = KeptClearChecksum(kept_clear, MapSealVersion());
   }
   return Status::Ok();
 }
@@ -186,13 +106,6 @@ Status ForEachIntactMap(Database& database, Change&& change) {
   return Status::Ok();
 }
 
-MapRow RowOf(const MapSnapshot& snapshot) {
-  return {.info = snapshot.info(),
-          .num_submaps = static_cast<std::int64_t>(snapshot.submaps().size()),
-          .tiles = {},
-          .seal = {}};
-}
-
 }  // namespace
 
 Result<MapRow> ReadMapHead(Database& database, const std::string& name) {
@@ -206,7 +119,8 @@ Result<MapRow> ReadMapHead(Database& database, const std::string& name) {
 
 Result<MapRow> ReadMap(Database& database, const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(MapRow row, ReadMapHead(database, name));
-  const Status read = ReadInfo(database, row);
+  const auto parts = ReadParts(database, row.key);
+  const Status read = parts.ok() ? FillInfo(row, *parts) : parts.status();
   if (read.code() == StatusCode::kDataLoss) return DamagedRows(name, read.message());
   DHPMAP_RETURN_IF_ERROR(read);
   return row;
@@ -223,7 +137,7 @@ Result<std::vector<std::string>> ReadMapNames(Database& database) {
 }
 
 Result<MapRow> InsertMap(Database& database, const MapSnapshot& snapshot) {
-  MapRow row = RowOf(snapshot);
+  MapRow row = MapRowOf(snapshot);
   DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Maps().Insert(), kWriteMapTask));
   Maps().BindAll(row, insert);  // its key is needed for all else, and that for the row: sealed when it is updated
   const Status inserted = insert.Run();
@@ -237,7 +151,7 @@ Result<MapRow> InsertMap(Database& database, const MapSnapshot& snapshot) {
 
 Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, const MapSnapshot& after,
                  const StoredLayersOfMap& layers) {
-  MapRow row = RowOf(after);
+  MapRow row = MapRowOf(after);
   row.tiles = layers.tiles;
   if (layers.leaving) row.leaving_id = std::int64_t{layers.leaving->value};
   const MapInfo& info = row.info;
@@ -246,23 +160,23 @@ Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, 
   row.sessions_checksum = head.sessions_checksum;
   row.marks = head.marks;
   RaiseMarks(row);
-  const bool is_older = head.seal.version < SealVersion();
+  const bool is_older = head.seal.version < MapSealVersion();
   if (is_older || ConfigToText(info.config) != ConfigToText(before.config)) {
     DHPMAP_ASSIGN_OR_RETURN(const auto config, WriteConfigRows(database, head.key, info.config));
     row.config_checksum = ConfigChecksum(config);
   }
   if (is_older || (info.label_set != before.label_set && *info.label_set != *before.label_set)) {
     DHPMAP_ASSIGN_OR_RETURN(const auto classes, WriteClassRows(database, head.key, *info.label_set));
-    row.classes_checksum = ClassesChecksum(classes, SealVersion());
+    row.classes_checksum = ClassesChecksum(classes, MapSealVersion());
   }
   if (is_older || info.sessions != before.sessions) {
     // A row without a seal is new: it has no sessions yet, whatever `before` says.
     const SessionMarks stored = head.seal.version == 0 ? SessionMarks() : before.sessions;
     DHPMAP_ASSIGN_OR_RETURN(const auto sessions, WriteSessionRows(database, head.key, stored, info.sessions));
-    row.sessions_checksum = SessionsChecksum(sessions, SealVersion());
+    row.sessions_checksum = SessionsChecksum(sessions, MapSealVersion());
   }
   DHPMAP_RETURN_IF_ERROR(UpdateObjects(database, head, before, row));
-  SealRow(row);
+  SealMapRow(row);
   DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteMapTask));
   Maps().BindChanges(row, update);
   return update.Bind(head.key).Run();

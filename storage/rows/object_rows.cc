@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "storage/sqlite/database.h"
+
 namespace dhpmap {
 namespace {
 

@@ -7,9 +7,12 @@
 #include "mapping/map/merged_ids.h"
 #include "mapping/map/object_pairs.h"
 #include "storage/rows/table.h"
-#include "storage/sqlite/database.h"
 
 namespace dhpmap {
+
+namespace sqlite {
+class Database;
+}
 
 // Rows of merged_ids and object_pairs <-> MergedIds and ObjectPairs.
 

@@ -6,9 +6,12 @@
 
 #include "mapping/map/session_marks.h"
 #include "storage/rows/table.h"
-#include "storage/sqlite/database.h"
 
 namespace dhpmap {
+
+namespace sqlite {
+class Database;
+}
 
 /// Progress of a feed session in a map.
 struct SessionRow {

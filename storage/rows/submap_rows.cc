@@ -20,6 +20,18 @@ const Table<SubmapRow>& Submaps() {
   return table;
 }
 
+SubmapRow SubmapRowOf(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts, std::int64_t tiles_sum) {
+  SubmapRow row{.map_key = map_key,
+                .info = submap.info(),
+                .sphere = submap.bounding_sphere(),
+                .outline = submap.kept_outline().Find(submap.info().T_map_submap),
+                .counts = counts,
+                .tiles_sum = tiles_sum,
+                .seal = {}};
+  row.seal = Submaps().SealOf(row);
+  return row;
+}
+
 Result<std::vector<SubmapRow>> ReadSubmaps(Database& database, std::int64_t map_key, std::vector<SubmapRow>* damaged) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select,
                           database.Prepare(Submaps().Select("WHERE map_key = ? ORDER BY submap_id"), kReadSubmapsTask));
@@ -77,13 +89,7 @@ Result<std::optional<SubmapRowWriter::Stored>> SubmapRowWriter::Find(std::int64_
 
 Result<std::int64_t> SubmapRowWriter::Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
                                             std::int64_t tiles_sum) {
-  return Write({.map_key = map_key,
-                .info = submap.info(),
-                .sphere = submap.bounding_sphere(),
-                .outline = submap.kept_outline().Find(submap.info().T_map_submap),
-                .counts = counts,
-                .tiles_sum = tiles_sum,
-                .seal = {}});
+  return Write(SubmapRowOf(map_key, submap, counts, tiles_sum));
 }
 
 Result<std::int64_t> SubmapRowWriter::Write(SubmapRow row) {

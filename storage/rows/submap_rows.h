@@ -11,6 +11,7 @@
 
 #include "mapping/submap/submap.h"
 #include "mapping/submap/submap_fields.h"
+#include "storage/commit/state_tables.h"
 #include "storage/rows/table.h"
 #include "storage/sqlite/database.h"
 #include "storage/tiles/object_layers.h"
@@ -76,32 +77,25 @@ std::vector<Column<Row>> SubmapColumns() {
 }
 const Table<SubmapRow>& Submaps();
 
+/// The row of a submap as it is now, sealed.
+SubmapRow SubmapRowOf(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts, std::int64_t tiles_sum);
+
 /// The rows of a map, by ascending submap id. DATA_LOSS, naming the submap, on a checksum mismatch; if `damaged` is not
 /// null, such rows are added to it instead.
 Result<std::vector<SubmapRow>> ReadSubmaps(sqlite::Database& database, std::int64_t map_key,
                                            std::vector<SubmapRow>* damaged = nullptr);
 
 /// Writes submap rows and their boxes. One for each transaction.
-class SubmapRowWriter {
+class SubmapRowWriter final : public SubmapTable {
  public:
   static Result<SubmapRowWriter> Prepare(sqlite::Database& database);
 
-  struct Stored {
-    std::int64_t key = 0;
-    SubmapCounts counts;
-    std::int64_t tiles_sum = 0;
-    bool covers_tiles = false;  ///< tiles_sum is valid
-  };
-  /// Nothing if the map has no such submap.
-  Result<std::optional<Stored>> Find(std::int64_t map_key, SubmapId id);
-
-  /// Adds or replaces a row. Returns its key.
+  Result<std::optional<Stored>> Find(std::int64_t map_key, SubmapId id) override;
   Result<std::int64_t> Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
-                             std::int64_t tiles_sum);
+                             std::int64_t tiles_sum) override;
   /// The same for a row that was read; key and checksum are set anew.
   Result<std::int64_t> Write(SubmapRow row);
-  /// Including its tiles.
-  Status Erase(std::int64_t submap_key);
+  Status Erase(std::int64_t submap_key) override;
 
  private:
   SubmapRowWriter(sqlite::Statement find, sqlite::Statement upsert, sqlite::Statement erase,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "mapping/voxels/block_table.h"
 #include "storage/codec/bytes.h"
+#include "storage/commit/state_tables.h"
 #include "storage/rows/kept_blobs.h"
 #include "storage/sqlite/database.h"
 
@@ -20,55 +20,21 @@ namespace dhpmap {
 /// Column tiles.owner_key; for an object it is the submap_key.
 constexpr std::int64_t OwnerOfMap(std::int64_t map_key) { return -map_key; }
 
-/// The blob of a tile's row.
-struct StoredBlob {
-  std::int64_t key = 0;         ///< 0: there is no row
-  std::int64_t num_blocks = 0;  ///< in the blob; 0 for layers of maps
-  std::int64_t bytes = 0;
-  std::uint64_t cells = 0;   ///< bit c: the blob has a block at cell c; 0: unknown, or a layer of maps
-  std::uint64_t extent = 0;  ///< of a TSDF: TileExtent::Code; 0: unknown, or another layer
-};
-
-inline constexpr std::size_t kNumLayerNumbers = 16;  ///< a layer's number is half a byte
-/// The rows of a tile, by the number of the layer.
-using StoredLayers = std::array<StoredBlob, kNumLayerNumbers>;
-
-/// Totals of all rows of an owner, updated incrementally. `sum` covers the set of rows and their references,
-/// independent of their order, so a commit updates it in time linear in its writes.
-struct TileTotals {
-  std::int64_t num_rows = 0;
-  std::int64_t bytes = 0;
-  std::int64_t sum = 0;  ///< as columns tiles_sum, see FORMAT.md
-
-  void Add(TileIndex index, std::int64_t layer, const StoredBlob& blob);
-  void Remove(TileIndex index, std::int64_t layer, const StoredBlob& blob);
-};
-
 /// Writes rows and blobs. One for each transaction.
-class TileRows {
+class TileRows final : public TileTable {
  public:
   static Result<TileRows> Prepare(sqlite::Database& database);
 
-  Result<StoredLayers> Find(std::int64_t owner_key, TileIndex index);
-  /// Recomputes the totals from all rows, for an owner without stored ones.
-  Result<TileTotals> Count(std::int64_t owner_key);
-
-  /// Writes a new blob, for one row.
-  Result<StoredBlob> Insert(ByteView blob, std::int64_t num_blocks);
-  /// Call if other statements of this transaction released blobs.
-  void NoteDeadBlobs() { may_have_dead_ = true; }
-
-  /// Adds a reference to an existing blob; nothing if it is gone.
-  Result<std::optional<StoredBlob>> Share(std::int64_t blob_key);
-
-  /// Adds rows for a new owner that refer to the blobs of another. `num_more`: references added to each; 2 if the
-  /// edit's undo data refer to them, too.
-  Status Copy(std::int64_t from_owner_key, std::int64_t to_owner_key, std::int64_t num_more = 1);
-  /// Adds the row, or changes its blob.
+  Result<StoredLayers> Find(std::int64_t owner_key, TileIndex index) override;
+  Result<TileTotals> Count(std::int64_t owner_key) override;
+  Result<StoredBlob> Insert(ByteView blob, std::int64_t num_blocks) override;
+  void NoteDeadBlobs() override { may_have_dead_ = true; }
+  Result<std::optional<StoredBlob>> Share(std::int64_t blob_key) override;
+  Status Copy(std::int64_t from_owner_key, std::int64_t to_owner_key, std::int64_t num_more) override;
   Status Put(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
-             const StoredBlob& after, TileTotals& totals);
+             const StoredBlob& after, TileTotals& totals) override;
   Status Erase(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
-               TileTotals& totals);
+               TileTotals& totals) override;
 
  private:
   explicit TileRows(sqlite::Database& database) : database_(&database) {}
@@ -82,16 +48,7 @@ class TileRows {
 /// Reads the rows of an owner with their blobs, by ascending tile, then layer.
 class TileRowReader {
  public:
-  struct Row {
-    TileIndex index;
-    std::int64_t layer = 0;
-    std::int64_t blob_key = 0;
-    std::int64_t num_blocks = 0;
-    bool is_missing = false;              ///< there is no such blob
-    bool is_shared = false;               ///< other rows refer to it, too
-    std::uint64_t cells = 0, extent = 0;  ///< see StoredBlob
-    ByteView blob;                        ///< valid during the visit
-  };
+  using Row = TileRow;
 
   static Result<TileRowReader> Prepare(sqlite::Database& database);
   /// Without reading blobs: leaves out is_missing, num_blocks and blob.

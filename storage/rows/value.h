@@ -16,7 +16,7 @@
 #include "mapping/submap/sightings.h"
 #include "mapping/submap/submap.h"
 #include "storage/codec/bytes.h"
-#include "storage/sqlite/statement.h"
+#include "storage/rows/parameters.h"
 
 namespace dhpmap {
 
@@ -60,8 +60,8 @@ template <typename T>
 requires requires(T value) { ToInteger(value); }
 struct ColumnValue<T> {
   static constexpr SqlType kType = SqlType::kInteger;
-  static void Bind(T value, sqlite::Statement& statement) { statement.Bind(ToInteger(value)); }
-  static bool Read(sqlite::Columns& columns, T& value) {
+  static void Bind(T value, Parameters& parameters) { parameters.PutInt(ToInteger(value)); }
+  static bool Read(RowColumns& columns, T& value) {
     const std::int64_t stored = columns.Int();
     value = FromInteger(stored, std::type_identity<T>());
     return ToInteger(value) == stored;
@@ -72,8 +72,8 @@ struct ColumnValue<T> {
 template <>
 struct ColumnValue<double> {
   static constexpr SqlType kType = SqlType::kReal;
-  static void Bind(double value, sqlite::Statement& statement) { statement.Bind(value); }
-  static bool Read(sqlite::Columns& columns, double& value) {
+  static void Bind(double value, Parameters& parameters) { parameters.PutReal(value); }
+  static bool Read(RowColumns& columns, double& value) {
     value = columns.Real();
     return true;
   }
@@ -83,8 +83,8 @@ struct ColumnValue<double> {
 template <>
 struct ColumnValue<float> {
   static constexpr SqlType kType = SqlType::kReal;
-  static void Bind(float value, sqlite::Statement& statement) { statement.Bind(static_cast<double>(value)); }
-  static bool Read(sqlite::Columns& columns, float& value) {
+  static void Bind(float value, Parameters& parameters) { parameters.PutReal(static_cast<double>(value)); }
+  static bool Read(RowColumns& columns, float& value) {
     const double stored = columns.Real();
     value = static_cast<float>(stored);
     return static_cast<double>(value) == stored;
@@ -95,8 +95,8 @@ struct ColumnValue<float> {
 template <>
 struct ColumnValue<std::string> {
   static constexpr SqlType kType = SqlType::kText;
-  static void Bind(const std::string& value, sqlite::Statement& statement) { statement.Bind(value); }
-  static bool Read(sqlite::Columns& columns, std::string& value) {
+  static void Bind(const std::string& value, Parameters& parameters) { parameters.PutText(value); }
+  static bool Read(RowColumns& columns, std::string& value) {
     value = columns.Text();
     return true;
   }
@@ -134,8 +134,8 @@ requires requires(const T& value) {
 }
 struct ColumnValue<T> {
   static constexpr SqlType kType = SqlType::kBlob;
-  static void Bind(const T& value, sqlite::Statement& statement) { statement.BindCopy(ToBytes(value)); }
-  static bool Read(sqlite::Columns& columns, T& value) { return FromBytes(columns.Blob(), value); }
+  static void Bind(const T& value, Parameters& parameters) { parameters.PutCopy(ToBytes(value)); }
+  static bool Read(RowColumns& columns, T& value) { return FromBytes(columns.Blob(), value); }
   static void Cover(const T& value, ByteWriter& writer) { writer.PutBytes(ToBytes(value)); }
 };
 

@@ -9,15 +9,20 @@
 #include <string_view>
 
 #include "mapping/base/result.h"
+#include "storage/rows/parameters.h"
 
 struct sqlite3_stmt;
 
 namespace dhpmap::sqlite {
 
+class Columns;
+
 /// A prepared statement. Bind its parameters in order, then Run it, or Step through its rows; afterwards it is reset.
 /// The next Step reports binding errors. Must not outlive its Database. Thread-compatible, together with the Database.
-class Statement {
+class Statement final : public Parameters {
  public:
+  using RowReader = Columns;
+
   /// Takes over `statement`. `task` completes "cannot ..." in error messages; a literal.
   Statement(sqlite3_stmt* statement, const char* task);
 
@@ -31,6 +36,11 @@ class Statement {
   Statement& Bind(std::span<const std::uint8_t> bytes);
   /// For bytes that need not outlive the call.
   Statement& BindCopy(std::span<const std::uint8_t> bytes);
+
+  void PutInt(std::int64_t value) override { BindInt(value); }
+  void PutReal(double value) override { Bind(value); }
+  void PutText(std::string_view text) override { Bind(text); }
+  void PutCopy(std::span<const std::uint8_t> bytes) override { BindCopy(bytes); }
 
   /// True: there is a row to read. False: done.
   Result<bool> Step();
@@ -60,14 +70,14 @@ class Statement {
 
 /// Reads the columns of the present row in order, as Bind binds parameters. Views are valid until the statement's next
 /// Step, Run or Reset.
-class Columns {
+class Columns final : public RowColumns {
  public:
   explicit Columns(const Statement& statement) : statement_(statement) {}
 
-  std::int64_t Int() { return statement_.Int(next_++); }
-  double Real() { return statement_.Real(next_++); }
-  std::string Text() { return statement_.Text(next_++); }
-  std::span<const std::uint8_t> Blob() { return statement_.Blob(next_++); }
+  std::int64_t Int() override { return statement_.Int(next_++); }
+  double Real() override { return statement_.Real(next_++); }
+  std::string Text() override { return statement_.Text(next_++); }
+  std::span<const std::uint8_t> Blob() override { return statement_.Blob(next_++); }
 
  private:
   const Statement& statement_;

@@ -20,6 +20,7 @@
 #include "server/app/edits/edit_list.h"
 #include "server/app/edits/edit_summary.h"
 #include "server/app/maps/map_registry.h"
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "tests/bench/bench.h"
 

@@ -9,6 +9,7 @@
 
 #include "mapping/map/history_id.h"
 #include "mapping/map/map.h"
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 
 namespace dhpmap::bench {

@@ -19,6 +19,7 @@
 #include "mapping/paging/tile_page.h"
 #include "mapping/paging/tile_spill.h"
 #include "server/app/maps/map_registry.h"
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/large_map.h"

@@ -14,6 +14,7 @@
 #include "mapping/map/history_id.h"
 #include "mapping/pipeline/map_builder.h"
 #include "server/base/lane.h"
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/cpu_time.h"

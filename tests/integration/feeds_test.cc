@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "storage/sqlite_store.h"
 #include "tests/integration/busy_writer.h"
 #include "tests/integration/failing_store.h"
 #include "tests/integration/feeder.h"

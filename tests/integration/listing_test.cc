@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "storage/sqlite_store.h"
 #include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
 

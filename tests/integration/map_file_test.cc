@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "server/grpc/client_lag.h"
+#include "storage/sqlite_store.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/eventually.h"
 #include "tests/support/status_reason.h"

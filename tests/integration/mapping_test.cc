@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "storage/sqlite_store.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/eventually.h"
 

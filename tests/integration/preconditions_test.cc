@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "storage/sqlite_store.h"
 #include "tests/integration/feeder.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/status_reason.h"

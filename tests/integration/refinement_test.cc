@@ -4,6 +4,7 @@
 #include <atomic>
 #include <thread>
 
+#include "storage/sqlite_store.h"
 #include "tests/integration/test_server.h"
 
 namespace dhpmap::testing {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mapping/paging/tile_spill.h"
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/scenes.h"

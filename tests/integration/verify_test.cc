@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "storage/sqlite_store.h"
 #include "tests/integration/test_server.h"
 
 namespace dhpmap::testing {

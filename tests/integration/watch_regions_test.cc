@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "storage/sqlite_store.h"
 #include "tests/integration/watcher.h"
 
 namespace dhpmap::testing {

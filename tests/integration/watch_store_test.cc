@@ -3,6 +3,7 @@
 #include <fstream>
 #include <random>
 
+#include "storage/sqlite_store.h"
 #include "tests/integration/watcher.h"
 
 namespace dhpmap::testing {

@@ -96,7 +96,9 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/gateway",
        {"mapping/base", "server/auth", "server/base", "server/web", "proto/types", "server/http", "server/json",
         "proto"}},
-      {"server", {"mapping", "storage/store.h", "server", "proto"}},  // main.cc: wiring
+      {"server",
+       {"mapping", "storage/store.h", "storage/postgres_store.h", "storage/sqlite_store.h", "server",
+        "proto"}},  // main.cc: wiring
       {"clients/cpp/calls", {"mapping/base/mutex.h", "proto"}},
       {"clients/cpp", {"mapping/base/mutex.h", "proto"}},
       {"clients/cpp/ompl", {"mapping/base/mutex.h", "clients/cpp"}},
@@ -163,7 +165,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
        {"map_mesh.h", "mesh.h", "mesh_sources.h", "mesh_stream.h", "object_meshes.h", "tile_surface.h"}},
       {"mapping/io", {"glb.h", "occupancy_image.h", "pcd.h", "ply.h"}},
       {"mapping/pipeline", {"map_builder.h", "refinement_slots.h"}},
-      {"storage", {"store.h"}},
+      {"storage", {"postgres_store.h", "sqlite_store.h", "store.h"}},
       {"server/net",
        {"address.h", "door.h", "frame_reader.h", "listening.h", "peer_identity.h", "refusal.h", "reserve_descriptor.h",
         "socket_names.h", "tls_context.h", "tls_watch.h"}},
@@ -180,6 +182,7 @@ struct Fence {
 const std::vector<Fence>& Fences() {
   static const std::vector<Fence> fences = {
       {"sqlite3\\.h", {"storage/sqlite"}, false},
+      {"libpq-fe\\.h", {"storage/postgres"}, false},
       {"grpcpp/|grpc/|dhpmap/v1/.*grpc\\.pb\\.h",
        {"server/grpc", "server/gateway", "server/main.cc", "clients/cli", "clients/cpp/calls", "clients/cpp/src",
         "tests"},

@@ -10,6 +10,7 @@
 #include "mapping/submap/observed_sphere.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
+#include "tests/unit/storage/kept_store.h"
 #include "tests/unit/storage/map_fixtures.h"
 
 namespace dhpmap {
@@ -18,7 +19,6 @@ namespace {
 using testing::ExpectSameInfo;
 using testing::MapGenerator;
 using testing::StoreKind;
-using testing::TempDir;
 
 /// A submap as somebody holds it who follows the map.
 struct Held {
@@ -62,19 +62,12 @@ class ChangesTest : public ::testing::TestWithParam<StoreKind> {
   ChangesTest() { Open(); }
 
   void Open(const ChangeHistoryLimits& limits = {}) {
-    if (GetParam() == StoreKind::kMemory) {
-      if (!store_) store_ = MakeMemoryStore(limits, {}, [this] { return passed_ns_; });
-      return;
-    }
-    store_ = nullptr;
-    auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(),
-                                  {.changes = limits, .passing_time_ns = [this] { return passed_ns_; }});
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
-    store_ = std::move(opened).value();
+    kept_.Open(store_, {.changes = limits, .passing_time_ns = [this] { return passed_ns_; }});
   }
+  void SetUp() override { DHPMAP_SKIP_UNLESS_THERE(kept_); }
   void BeginAnew(const ChangeHistoryLimits& limits) {
     store_ = nullptr;
-    std::filesystem::remove(folder_.path() / "maps.db");
+    kept_.BeginAnew();
     Open(limits);
   }
 
@@ -106,7 +99,7 @@ class ChangesTest : public ::testing::TestWithParam<StoreKind> {
     }
   }
 
-  TempDir folder_;
+  testing::KeptStore kept_{GetParam()};
   MapGenerator generator_{31};
   std::int64_t passed_ns_ = 0;
   std::unique_ptr<MapStore> store_;
@@ -405,8 +398,7 @@ TEST_P(ChangesTest, TheyGoOnAfterALimitWasLowered) {
   EXPECT_EQ(NumKept(*store_, "house", 109), 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Stores, ChangesTest, ::testing::Values(StoreKind::kMemory, StoreKind::kSqlite),
-                         [](const auto& kind) { return kind.param == StoreKind::kMemory ? "Memory" : "Sqlite"; });
+INSTANTIATE_TEST_SUITE_P(Stores, ChangesTest, ::testing::ValuesIn(testing::AllStores()), testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "storage/store.h"
-#include "tests/support/scenes.h"
+#include "tests/unit/storage/kept_store.h"
 #include "tests/unit/storage/map_fixtures.h"
 
 namespace dhpmap {
@@ -15,25 +15,14 @@ namespace {
 
 using testing::ExpectSameMap;
 using testing::MapGenerator;
-using testing::TempDir;
+using testing::StoreKind;
 
-enum class HeldWhere { kMemory, kSqlite, kPaged };  ///< the last: SQLite's, where voxels stay until they are read
-
-class MapStoreTest : public ::testing::TestWithParam<HeldWhere> {
+class MapStoreTest : public ::testing::TestWithParam<StoreKind> {
  protected:
   MapStoreTest() { Open(); }
 
-  void Open() {
-    if (GetParam() == HeldWhere::kMemory) {
-      if (!store_) store_ = MakeMemoryStore();
-      return;
-    }
-    store_ = nullptr;
-    auto opened =
-        OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = GetParam() == HeldWhere::kPaged});
-    ASSERT_TRUE(opened.ok()) << opened.status().ToString();
-    store_ = std::move(opened).value();
-  }
+  void Open() { kept_.Open(store_); }
+  void SetUp() override { DHPMAP_SKIP_UNLESS_THERE(kept_); }
 
   std::shared_ptr<const MapSnapshot> Load(const std::string& name) {
     auto loaded = store_->LoadMap(name);
@@ -52,7 +41,7 @@ class MapStoreTest : public ::testing::TestWithParam<HeldWhere> {
     return map;
   }
 
-  TempDir folder_;
+  testing::KeptStore kept_{GetParam()};
   MapGenerator generator_{5};
   std::unique_ptr<MapStore> store_;
 };
@@ -254,12 +243,9 @@ TEST_P(MapStoreTest, ServesReadersWhileItCommits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stores, MapStoreTest,
-                         ::testing::Values(HeldWhere::kMemory, HeldWhere::kSqlite, HeldWhere::kPaged),
-                         [](const auto& kind) {
-                           return kind.param == HeldWhere::kMemory   ? "Memory"
-                                  : kind.param == HeldWhere::kSqlite ? "Sqlite"
-                                                                     : "Paged";
-                         });
+                         ::testing::Values(StoreKind::kMemory, StoreKind::kSqlite, StoreKind::kPaged,
+                                           StoreKind::kPostgres),
+                         testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

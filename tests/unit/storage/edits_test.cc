@@ -9,6 +9,7 @@
 #include "storage/codec/edit_codec.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
+#include "tests/unit/storage/kept_store.h"
 #include "tests/unit/storage/map_fixtures.h"
 
 namespace dhpmap {
@@ -16,26 +17,18 @@ namespace {
 
 using testing::MapGenerator;
 using testing::StoreKind;
-using testing::TempDir;
 
 class EditsTest : public ::testing::TestWithParam<StoreKind> {
  protected:
   EditsTest() { Open(); }
 
   void Open(const EditLogLimits& limits = {}) {
-    if (GetParam() == StoreKind::kMemory) {
-      if (!store_) store_ = MakeMemoryStore({}, limits, [this] { return passed_ns_; });
-    } else {
-      store_ = nullptr;
-      auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(),
-                                    {.edits = limits, .passing_time_ns = [this] { return passed_ns_; }});
-      ASSERT_TRUE(opened.ok()) << opened.status().ToString();
-      store_ = std::move(opened).value();
-    }
+    kept_.Open(store_, {.edits = limits, .passing_time_ns = [this] { return passed_ns_; }});
   }
+  void SetUp() override { DHPMAP_SKIP_UNLESS_THERE(kept_); }
   void BeginAnew(const EditLogLimits& limits) {
     store_ = nullptr;
-    std::filesystem::remove(folder_.path() / "maps.db");
+    kept_.BeginAnew();
     Open(limits);
   }
   Map Create(const std::string& name) {
@@ -61,7 +54,7 @@ class EditsTest : public ::testing::TestWithParam<StoreKind> {
     return edits.ok() ? *edits : std::vector<LoggedEdit>();
   }
 
-  TempDir folder_;
+  testing::KeptStore kept_{GetParam()};
   MapGenerator generator_{7};
   std::int64_t passed_ns_ = 0;
   std::unique_ptr<MapStore> store_;
@@ -109,7 +102,7 @@ TEST_P(EditsTest, ARestorationIsInTheLogWithTheRevisionThatItWentTo) {
     EXPECT_EQ(edits[1].entry.summary, restored);
     Open();  // and after a restart
   }
-  if (GetParam() == StoreKind::kMemory) return;
+  if (GetParam() != StoreKind::kSqlite) return;
   const auto report = store_->VerifyMap("a", false, {});
   ASSERT_TRUE(report.ok()) << report.status().ToString();
   EXPECT_EQ(report->num_faults, 0);
@@ -233,8 +226,7 @@ TEST_P(EditsTest, WhoKeepsNoHistoriesAnyMoreGetsTheirSpaceBack) {
   for (const LoggedEdit& edit : List()) EXPECT_FALSE(edit.is_kept);
 }
 
-INSTANTIATE_TEST_SUITE_P(Stores, EditsTest, ::testing::Values(StoreKind::kMemory, StoreKind::kSqlite),
-                         [](const auto& kind) { return kind.param == StoreKind::kMemory ? "Memory" : "Sqlite"; });
+INSTANTIATE_TEST_SUITE_P(Stores, EditsTest, ::testing::ValuesIn(testing::AllStores()), testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

@@ -16,9 +16,6 @@
 
 namespace dhpmap::testing {
 
-/// Whose tests are those of any store.
-enum class StoreKind { kMemory, kSqlite };
-
 /// Made maps, and comparison of maps that went through a store. Everything follows from the seed.
 class MapGenerator {
  public:

@@ -7,6 +7,7 @@
 
 #include "storage/rows/config_rows.h"
 #include "storage/rows/map_rows.h"
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "tests/unit/storage/map_digests.h"
 #include "tests/unit/storage/map_text.h"

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/storage/map_fixtures.h"

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "storage/sqlite/database.h"
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/storage/map_fixtures.h"

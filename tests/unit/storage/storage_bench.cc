@@ -20,6 +20,7 @@
 #include "clients/datasets/open_dataset.h"
 #include "mapping/pipeline/map_builder.h"
 #include "storage/sqlite/database.h"
+#include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "storage/tiles/object_layers.h"
 #include "tests/bench/cpu_time.h"

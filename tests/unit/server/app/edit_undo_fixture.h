@@ -16,6 +16,7 @@
 #include "server/app/edits/edit_list.h"
 #include "server/app/edits/edit_summary.h"
 #include "server/app/edits/edit_undo.h"
+#include "storage/sqlite_store.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/storage/map_text.h"
 

@@ -18,6 +18,7 @@
 #include "server/app/edits/edit_list.h"
 #include "server/app/edits/edit_summary.h"
 #include "server/app/maps/map_registry.h"
+#include "storage/sqlite_store.h"
 #include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/server/app/open_map_fixture.h"

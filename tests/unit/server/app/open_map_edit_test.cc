@@ -13,6 +13,7 @@
 #include "server/app/edits/edit_list.h"
 #include "server/app/edits/edit_summary.h"
 #include "server/app/edits/submap_edits.h"
+#include "storage/sqlite_store.h"
 #include "tests/integration/failing_store.h"
 #include "tests/support/eventually.h"
 #include "tests/unit/server/app/open_map_fixture.h"

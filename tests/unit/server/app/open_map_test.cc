@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "server/app/edits/submap_edits.h"
+#include "storage/sqlite_store.h"
 #include "tests/integration/busy_writer.h"
 #include "tests/integration/failing_store.h"
 #include "tests/support/eventually.h"

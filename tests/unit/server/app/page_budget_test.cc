@@ -20,6 +20,7 @@
 #include "server/app/maps/map_stats.h"
 #include "server/app/queries/mesh_export.h"
 #include "server/app/queries/voxel_walk.h"
+#include "storage/sqlite_store.h"
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
 #include "tests/unit/server/app/edited_room.h"

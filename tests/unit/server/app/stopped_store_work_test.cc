@@ -15,6 +15,7 @@
 
 #include "server/app/maps/map_import.h"
 #include "server/app/maps/map_registry.h"
+#include "storage/sqlite_store.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/mapping/query/stopped_work.h"
 

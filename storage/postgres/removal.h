@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <thread>
+
+#include "mapping/base/mutex.h"
+#include "storage/postgres/pool.h"
+
+namespace dhpmap::postgres {
+
+/// Removes a map's name and row at once; all else goes with SweepSome. NOT_FOUND.
+Status RemoveMap(Connection& connection, const std::string& name);
+
+/// Deletes some hundred rows of a removed map. Returns whether there may be more.
+Result<bool> SweepSome(Connection& connection);
+
+/// Sweeps on a thread of its own whenever there is something. What it does not get to is swept by the next process.
+class Sweeper {
+ public:
+  /// `pool` outlives it.
+  explicit Sweeper(Pool& pool);
+  ~Sweeper();
+  Sweeper(const Sweeper&) = delete;
+  Sweeper& operator=(const Sweeper&) = delete;
+
+  void Notify() DHPMAP_EXCLUDES(mutex_);
+  /// Returns when all that was removed is swept, or cannot be.
+  void Wait() DHPMAP_EXCLUDES(mutex_);
+
+ private:
+  void Loop() DHPMAP_EXCLUDES(mutex_);
+  void SweepAll();
+
+  Pool& pool_;
+  Mutex mutex_;
+  CondVar wake_, is_idle_;
+  bool has_work_ DHPMAP_GUARDED_BY(mutex_) = true;  // of an earlier process
+  bool is_busy_ DHPMAP_GUARDED_BY(mutex_) = false;
+  bool is_stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
+  std::thread thread_;  // last
+};
+
+}  // namespace dhpmap::postgres

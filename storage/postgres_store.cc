@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/postgres_store.h"
+
+#include <chrono>
+#include <utility>
+
+#include "storage/commit/store_number.h"
+#include "storage/postgres/catalog.h"
+#include "storage/postgres/history_reader.h"
+#include "storage/postgres/map_ownership.h"
+#include "storage/postgres/map_reader.h"
+#include "storage/postgres/pool.h"
+#include "storage/postgres/removal.h"
+#include "storage/postgres/schema.h"
+#include "storage/postgres/writer.h"
+
+namespace dhpmap {
+namespace {
+
+using postgres::Connection;
+
+Status NotThereYet(const char* what) {
+  return {StatusCode::kUnimplemented, std::string("a store on PostgreSQL cannot ") + what + " yet"};
+}
+
+postgres::ConnectionOptions ConnectionOptionsOf(const std::string& url, const PostgresStoreOptions& options) {
+  return {.url = url,
+          .schema = options.schema,
+          .patience = std::chrono::milliseconds(static_cast<std::int64_t>(options.answer_s * 1000))};
+}
+
+class PostgresStore final : public MapStore {
+ public:
+  PostgresStore(const std::string& url, const PostgresStoreOptions& options)
+      : limits_{options.changes, options.edits, options.dead_grace_s},
+        pool_(ConnectionOptionsOf(url, options), options.max_connections),
+        maps_(pool_, options.passing_time_ns),
+        writer_(pool_, maps_, limits_, ConnectionOptionsOf(url, options).patience),
+        sweeper_(pool_) {}
+
+  Result<std::vector<StoredMap>> ListMaps() override {
+    return pool_.Read<std::vector<StoredMap>>([](Connection& c) { return postgres::ListCatalog(c); });
+  }
+  Result<StoredMap> GetMap(const std::string& name) override {
+    return pool_.Read<StoredMap>([&](Connection& c) { return postgres::FindInCatalog(c, name); });
+  }
+
+  /// Who loads a map will write it.
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
+    DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<postgres::OwnedMap> map, maps_.Own(name));
+    auto state = pool_.Read<std::shared_ptr<const MapSnapshot>>([&](Connection& c) {
+      ThreadPool threads(NumCodecThreads());
+      return postgres::ReadMapState(c, name, map->key, map->number, threads);
+    });
+    if (state.status().code() == StatusCode::kNotFound) maps_.Drop(*map);
+    return state;
+  }
+
+  Status CreateMap(const MapSnapshot& snapshot) override { return writer_.Create(snapshot); }
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability) override {
+    return writer_.Commit({before, after});
+  }
+  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
+    return writer_.Commit({before, after, &edit});
+  }
+  Status Reserve(const std::string& name, const NumberMarks& marks) override { return writer_.Reserve(name, marks); }
+  Status DeleteMap(const std::string& name) override {
+    Status deleted = writer_.Delete(name);
+    if (deleted.ok()) sweeper_.Notify();
+    return deleted;
+  }
+
+  Result<ChangeList> ListChanges(const std::string& name, std::int64_t after_revision, std::size_t max_bytes) override {
+    return pool_.Read<ChangeList>(
+        [&](Connection& c) { return postgres::ReadChangeList(c, name, after_revision, max_bytes); });
+  }
+  Result<std::vector<LoggedEdit>> ListEdits(const std::string& name, const EditQuery& query) override {
+    return pool_.Read<std::vector<LoggedEdit>>([&](Connection& c) { return postgres::ReadEditLog(c, name, query); });
+  }
+  Result<std::optional<StoredAnswer>> FindAnswer(const std::string& name, const std::string& request_id) override {
+    return pool_.Read<std::optional<StoredAnswer>>(
+        [&](Connection& c) { return postgres::ReadStoredAnswer(c, name, request_id); });
+  }
+  Result<StateDelta> LoadEdit(const std::string& name, std::int64_t revision) override {
+    const auto map = maps_.Find(name);
+    const std::uint16_t number = map != nullptr ? map->number : std::uint16_t{0};
+    return pool_.Read<StateDelta>([&](Connection& c) { return postgres::ReadEditDelta(c, name, revision, number); });
+  }
+
+  Result<VerifyReport> VerifyMap(const std::string&, bool, const std::stop_token&) override {
+    return NotThereYet("look through its maps");
+  }
+  Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token&) override {
+    return FailedPrecondition("the store is a PostgreSQL database: its own tools back it up").WithReason("NOT_A_FILE");
+  }
+  Result<std::unique_ptr<StoreBackup>> ExportMap(const std::string&, const std::stop_token&) override {
+    return NotThereYet("export maps");
+  }
+  Result<std::unique_ptr<MapImport>> ImportMap() override { return NotThereYet("import maps"); }
+
+ private:
+  const postgres::KeepingLimits limits_;
+  postgres::Pool pool_;
+  postgres::MapOwnership maps_;
+  postgres::Writer writer_;
+  postgres::Sweeper sweeper_;  // last, as it uses the others
+};
+
+}  // namespace
+
+bool IsPostgresUrl(const std::string& db) { return db.starts_with("postgresql://") || db.starts_with("postgres://"); }
+
+Result<std::unique_ptr<MapStore>> OpenPostgresStore(const std::string& url, const PostgresStoreOptions& options) {
+  {
+    DHPMAP_ASSIGN_OR_RETURN(Connection connection, Connection::Open(ConnectionOptionsOf(url, options)));
+    DHPMAP_RETURN_IF_ERROR(postgres::PrepareSchema(connection, options.schema, options.on_progress));
+  }
+  return std::unique_ptr<MapStore>(std::make_unique<PostgresStore>(url, options));
+}
+
+}  // namespace dhpmap

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/scenes.h"
+
+namespace dhpmap::testing {
+
+/// Stands between clients and a PostgreSQL server on a Unix socket, and can lose the answer to a COMMIT: the server has
+/// made it, the client sees its connection end. Thread-safe.
+class CutConnection {
+ public:
+  /// `server`: the folder of the server's socket.
+  explicit CutConnection(const std::string& server);
+  ~CutConnection();
+  CutConnection(const CutConnection&) = delete;
+  CutConnection& operator=(const CutConnection&) = delete;
+
+  /// For libpq, in place of the server's own.
+  [[nodiscard]] std::string Url() const;
+  /// Loses the answer to the next COMMIT; or what is asked next, before the server has it.
+  void LoseNextCommitsAnswer() { lose_answer_ = true; }
+  void LoseNextRequest() { lose_request_ = true; }
+  /// While it is away, every new connection ends at once.
+  void GoAway() { is_away_ = true; }
+  void ComeBack() { is_away_ = false; }
+  [[nodiscard]] int num_lost() const { return num_lost_; }
+
+ private:
+  void Accept();
+  void Serve(int client);
+
+  const std::string server_;
+  TempDir folder_;
+  int listener_ = -1;
+  std::atomic<bool> lose_answer_ = false, lose_request_ = false, is_stopping_ = false, is_away_ = false;
+  std::atomic<int> num_lost_ = 0;
+  std::thread acceptor_;
+  std::vector<std::thread> threads_;  // of the acceptor, until it has ended
+};
+
+}  // namespace dhpmap::testing
