@@ -82,8 +82,7 @@ int ServeUntilTold(const Service& service, const std::string& doors, net::TlsCon
 
 Status Serve(const ServerConfig& config, const Service& service) {
   Metrics metrics;
-  DHPMAP_ASSIGN_OR_RETURN(const auto store,
-                          OpenStore(config, [&manager = service.manager](const std::string& message) {
+  DHPMAP_ASSIGN_OR_RETURN(const auto store, OpenStore(config, [&manager = service.manager](const std::string& message) {
                             LogInfo(message);
                             manager.TellStarting(message);
                           }));

@@ -97,10 +97,7 @@ Result<v1::StreamQueriesResponse> StreamSource::Answer(v1::StreamQueriesRequest 
 
 std::unique_ptr<Parts<v1::QueryDistanceGridResponse>> StreamSource::AnswerGrid(v1::QueryDistanceGridRequest query,
                                                                                double deadline_s) {
-  {
-    const MutexLock lock(mutex_);
-    query.set_read_revision(std::max<std::int64_t>(pinned_, 0));
-  }
+  query.set_read_revision(std::max<std::int64_t>(pinned_, 0));
   return caller_->Read(&v1::QueryService::Stub::QueryDistanceGrid, query, caller_->DeadlineOr(deadline_s));
 }
 
@@ -115,7 +112,7 @@ Result<std::int64_t> StreamSource::Pin(std::int64_t revision) {
   Result<v1::StreamQueriesResponse> answer = AnswerBy(query, end);
   if (!answer.ok()) return answer.status();
   pinned_ = answer->pin().revision();
-  return pinned_;
+  return pinned_.load();
 }
 
 Result<v1::StreamQueriesResponse> StreamSource::AnswerBy(v1::StreamQueriesRequest& query, Clock::time_point end) {

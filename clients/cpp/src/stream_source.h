@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -39,7 +40,7 @@ class StreamSource final : public Source {
   const OldPin old_pin_;
   OneAtATime turns_;
   std::unique_ptr<Stream> stream_;
-  std::int64_t pinned_ = 0;
+  std::atomic<std::int64_t> pinned_ = 0;  ///< written by whoever has the turn; a grid reads it without
 };
 
 }  // namespace dhpmap::client

@@ -11,7 +11,7 @@
 #include "server/auth/gate.h"
 #include "server/auth/keys/key_book.h"
 #include "server/gateway/gateway.h"
-#include "storage/store.h"
+#include "storage/sqlite_store.h"
 #include "tests/integration/test_server.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/server/http/http_client.h"

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "storage/sqlite_store.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/clients/cpp/client_room.h"
 
