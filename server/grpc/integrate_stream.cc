@@ -11,6 +11,7 @@
 #include "proto/types/resource_names.h"
 #include "server/grpc/buffer_outline.h"
 #include "server/grpc/frame_message.h"
+#include "server/grpc/map_quota.h"
 #include "server/wire/frame_conversion.h"
 #include "server/wire/mapping_conversion.h"
 
