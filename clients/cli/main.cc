@@ -56,7 +56,9 @@ int main(int argc, char** argv) {
       ->envname("DHPMAP_SERVER")
       ->capture_default_str();
   app.add_option("--token-file", session.token_file, "File with your key, of mode 600")->type_name("FILE");
-  app.parse_complete_callback([&session] { OpenOrThrow(session); });
+  app.parse_complete_callback([&app, &session] {
+    if (!app.got_subcommand("doctor")) OpenOrThrow(session);  // which says itself what is wrong with these
+  });
   app.add_option("--ca", session.ca,
                  "PEM file of who signed the server's certificate, or 'system' for those this system trusts: with TLS")
       ->type_name("FILE");
