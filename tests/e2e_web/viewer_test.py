@@ -1,8 +1,9 @@
 #!/usr/bin/python3 -B
 # SPDX-License-Identifier: BSD-3-Clause
-"""The viewer in a real browser: viewer_test.py PROGRAMS_DIR [CASE ...]. Pictures of cases that fail stay in /tmp."""
+"""The viewer in a real browser: viewer_test.py PROGRAMS_DIR [ROOM or CASE ...]. Pictures of cases that fail stay in /tmp."""
 import sys
 import tempfile
+import time
 import traceback
 
 from selenium.common.exceptions import WebDriverException
@@ -16,6 +17,8 @@ import time_cases
 import tool_cases
 from browser import Page
 from world import World
+
+ROOMS = (look_cases, edit_cases, ask_cases, tool_cases, time_cases, reach_cases, link_cases)
 
 
 def chromium_starts():
@@ -31,17 +34,17 @@ def chromium_starts():
 def main(programs, wanted):
     if not chromium_starts():
         return 0
-    rooms = (look_cases, edit_cases, ask_cases, tool_cases, time_cases, reach_cases, link_cases)
-    cases = [(name, case) for room in rooms for name, case in vars(room).items() if name.startswith("test_")]
-    cases = [(name, case) for name, case in cases if not wanted or name in wanted]
+    cases = [(name, case) for room in ROOMS for name, case in vars(room).items()
+             if name.startswith("test_") and (not wanted or name in wanted or room.__name__.removesuffix("_cases") in wanted)]
     failed = []
     with tempfile.TemporaryDirectory() as folder:
         world = World(programs, folder)
         try:
             for name, case in cases:
+                began = time.monotonic()
                 try:
                     case(world)
-                    print(f"ok: {name}", flush=True)
+                    print(f"ok: {name}, {time.monotonic() - began:.1f} s", flush=True)
                 except Exception:  # pylint: disable=broad-except
                     failed.append(name)
                     traceback.print_exc()
