@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "server/base/lane.h"
 #include "server/gateway/dispatcher.h"
@@ -96,6 +97,8 @@ TEST_F(AllowedOriginsTest, AListedPageReadsStreamsToo) {
   const http::Response& head = responder->heads.empty() ? responder->replies.front() : responder->heads.front();
   EXPECT_EQ(Says(head, "Access-Control-Allow-Origin"), kFleet);
   exchange->OnClosed();
+  const std::weak_ptr left = std::exchange(exchange, nullptr);
+  EXPECT_TRUE(responder->RunUntil([&] { return left.expired(); })) << "what is posted holds it";
 }
 
 TEST_F(AllowedOriginsTest, WithoutOriginsNothingIsSaidOfThem) {
