@@ -12,9 +12,9 @@
 
 namespace dhpmap::auth {
 
-/// How many wrong keys each address shows: kMost at once, and as many a minute for good. Nothing is locked by it:
-/// whoever shows a right key is not asked for here. Bounded: beyond kMostAddresses those that have been at rest are
-/// forgotten, or all, who may then fail as often again. Thread-safe.
+/// Limits wrong keys for each address: a burst of kMost, then kMost a minute. It locks nobody out: callers with a valid
+/// key are not checked. It keeps at most kMostAddresses. When full, it drops addresses without recent failures; if
+/// there are none, it drops all, and each may fail kMost times again. Thread-safe.
 class FailedLogins {
  public:
   static constexpr double kMost = 20, kPer_s = kMost / 60;

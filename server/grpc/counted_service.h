@@ -31,8 +31,8 @@ struct RequestIntake {
   /// Enter, Parse, and whether the caller may ask for what the message names.
   Status Take(grpc::CallbackServerContext& call, grpc::ByteBuffer& bytes, google::protobuf::Message& message,
               std::optional<ByteShare>& share) const;
-  /// Into the audit log: who is let in to what changes something, and who is not. The decision; or what was let in is
-  /// refused because it could not be written, see auth::Gate::Audit.
+  /// Writes calls that may change something, and refused calls, to the audit log. Returns `decision`, or an error if an
+  /// admitted call could not be logged; see auth::Gate::Audit.
   Status Audit(const Caller& caller, const Status& decision, const google::protobuf::Message* message) const;
 
   const ServiceContext& context;

@@ -8,17 +8,17 @@
 
 namespace dhpmap::service {
 
-/// Whether a lane still runs what is posted to it: each beat goes through it as a task of its own, behind those that
-/// wait there. Thread-safe.
+/// Checks that a lane still runs its tasks. Each beat is a task of its own, queued behind the waiting ones.
+/// Thread-safe.
 class LanePulse {
  public:
   /// Runs its work on the lane, or returns false without keeping it.
   using Post = std::function<bool(std::function<void()> work)>;
 
-  /// `on_alive` runs on the lane with each beat that has come through, also when this is gone.
+  /// The lane calls `on_alive` when it runs a beat, even after this object is destroyed.
   LanePulse(Post post, std::function<void()> on_alive);
 
-  /// Sends a beat, unless one is still on its way: a lane that stands still gets no more of them.
+  /// Posts a beat, unless the previous one has not run yet. So a blocked lane holds at most one.
   void Beat();
 
  private:

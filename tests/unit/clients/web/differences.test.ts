@@ -52,7 +52,7 @@ test("of an object that is told of without its box the way is that of its middle
   assert.deepEqual(what(before, after), ["moved by 2.00 m"]);
 });
 
-test("of what was merely seen further the number is said, and of what is as it was nothing", () => {
+test("objects that were only mapped further are counted, and unchanged ones are not listed", () => {
   assert.deepEqual(differencesOf(only(chair), only({ ...chair, revision: 4 })), { named: [], numMapped: 1 });
   assert.deepEqual(differencesOf(only(chair), only(chair)), { named: [], numMapped: 0 });
   const empty = { ...chair, sphere: null };
