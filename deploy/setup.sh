@@ -2,7 +2,7 @@
 # Installs what the build needs: Debian 12 packages, and the google/api protos, which Debian ships only inside a
 # Go -dev package (unpacked here without its dependencies). Asks nothing, skips what is there, safe to run again.
 #   deploy/setup.sh [--quiet] [--checks] [--browser] [--postgres] [--packaging]
-# --checks adds what deploy/check.sh and the sanitizers need and a build does not: clang, its formatter and its tidy.
+# --checks adds what deploy/check.sh and the sanitizers need and a build does not: clang, its formatter, its tidy; systemd.
 # --browser adds what tests of the viewer need: Chromium, its driver, and Selenium.
 # --postgres adds a PostgreSQL server: tests of the store on it start their own, and skip without.
 # --packaging adds what makes and tries Debian packages and images.
@@ -21,7 +21,10 @@ packages=(
   python3-seccomp  # for tests under the unit's filter
   python3-lz4 python3-zstandard python3-pil  # for packed recordings (dhpmap.mcap)
 )
-check_packages=(clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev lld-14)
+check_packages=(
+  clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev lld-14
+  systemd  # for its judgement of the unit, and its activation of sockets
+)
 browser_packages=(chromium chromium-driver python3-selenium)
 postgres_packages=(postgresql)
 packaging_packages=(

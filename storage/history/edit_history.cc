@@ -27,15 +27,7 @@ constexpr char kTrimHistoryTask[] = "delete what undoes edits of long ago";
 constexpr int kMostHistoriesTrimmed = 16;
 EditTileRow RowAt(const Statement& statement) {
   Columns columns(statement);
-  EditTileRow row;
-  row.submap_id = columns.Int();
-  for (std::int32_t* coordinate : {&row.index.x, &row.index.y, &row.index.z}) {
-    *coordinate = static_cast<std::int32_t>(columns.Int());
-  }
-  row.layer = columns.Int();
-  row.before_key = columns.Int();
-  row.after_key = columns.Int();
-  return row;
+  return ReadEditTileRow(columns);
 }
 
 Result<std::optional<std::int64_t>> OldestKept(Database& database, std::int64_t map_key) {

@@ -50,6 +50,18 @@ Status AddVacated(const EditTileRow& row, StateDelta& delta) {
 
 }  // namespace
 
+EditTileRow ReadEditTileRow(RowColumns& columns) {
+  EditTileRow row;
+  row.submap_id = columns.Int();
+  for (std::int32_t* coordinate : {&row.index.x, &row.index.y, &row.index.z}) {
+    *coordinate = static_cast<std::int32_t>(columns.Int());
+  }
+  row.layer = columns.Int();
+  row.before_key = columns.Int();
+  row.after_key = columns.Int();
+  return row;
+}
+
 Status AddEditTileTo(const EditTileRow& row, std::uint16_t store, StateDelta& delta) {
   if (row.submap_id == kMapsOwnTiles && row.layer == LayerNumber(BlobKind::kVacatedV1)) return AddVacated(row, delta);
   const auto submap = std::lower_bound(

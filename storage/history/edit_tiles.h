@@ -30,6 +30,9 @@ struct EditTileRow {
   ByteView before, after;  ///< as long as the statement is at the row
 };
 
+/// Reads submap_id, x, y, z, layer, before_key and after_key; no blobs.
+EditTileRow ReadEditTileRow(RowColumns& columns);
+
 /// Adds a row to what an edit did. Rows come by submap, then tile; `store`: for the keys of tiles. Errors continue
 /// after "what undoes edit 3".
 Status AddEditTileTo(const EditTileRow& row, std::uint16_t store, StateDelta& delta);

@@ -208,20 +208,7 @@ Status Connection::Execute(const std::string& sql, const char* task) {
     GiveUp();
     return ConnectionLost(task, Said());
   }
-  const auto end = Clock::now() + patience_;
-  Status status;
-  for (bool is_lost = false;;) {
-    const Answer answer(NextResult(end, is_lost));
-    if (is_lost) {
-      GiveUp();
-      return ConnectionLost(task, Said());
-    }
-    const pg_result* const result = answer.result();
-    if (result == nullptr) return status;
-    if (PQresultStatus(result) == PGRES_FATAL_ERROR) {
-      status = ErrorFrom(StateOf(result), task, PQresultErrorMessage(result));
-    }
-  }
+  return ReadResults(task, [](Answer&) { return Status::Ok(); });
 }
 
 Status Connection::Stream(const Call& call, const char* task, const std::function<Status(Answer& row)>& visit) {
@@ -236,6 +223,10 @@ Status Connection::Stream(const Call& call, const char* task, const std::functio
     GiveUp();
     return ConnectionLost(task, Said());
   }
+  return ReadResults(task, visit);
+}
+
+Status Connection::ReadResults(const char* task, const std::function<Status(Answer& row)>& visit) {
   Status status;
   for (bool is_lost = false;;) {
     Answer answer(NextResult(Clock::now() + patience_, is_lost));

@@ -74,6 +74,8 @@ class Connection {
   bool Send(const Call& call, std::vector<std::string>& names);
   bool WaitForInput(Clock::time_point end);
   pg_result* NextResult(Clock::time_point end, bool& is_lost);
+  /// Until the statement's results end. Calls `visit` for the first row of each; in single row mode that is every row.
+  Status ReadResults(const char* task, const std::function<Status(Answer& row)>& visit);
   void Collect(std::span<const Call> calls, const std::vector<std::string>& names, const char* task, Answers& answers);
   void EndTransaction();
   void GiveUp();

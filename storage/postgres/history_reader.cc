@@ -98,14 +98,7 @@ Status ReadDeltaTiles(Connection& connection, const MapRow& map, const EditHisto
   call.values.Add(map.key).Add(history.key);
   TileTotals totals;
   DHPMAP_RETURN_IF_ERROR(connection.Stream(call, kReadEditsTask, [&](Answer& answer) -> Status {
-    EditTileRow row;
-    row.submap_id = answer.Int();
-    for (std::int32_t* axis : {&row.index.x, &row.index.y, &row.index.z}) {
-      *axis = static_cast<std::int32_t>(answer.Int());
-    }
-    row.layer = answer.Int();
-    row.before_key = answer.Int();
-    row.after_key = answer.Int();
+    EditTileRow row = ReadEditTileRow(answer);
     row.before = answer.Blob();
     row.after = answer.Blob();
     AddEditTile(totals, row.submap_id, row.index, row.layer, row.before_key, row.after_key);

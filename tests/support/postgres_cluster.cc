@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/support/postgres_cluster.h"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <pwd.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <thread>
-#include <vector>
+#include <stdexcept>
+#include <utility>
 
 namespace dhpmap::testing {
 namespace {
@@ -40,26 +42,39 @@ std::string AsSomebody(const passwd* user) {
 
 bool Succeeds(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
 
-pid_t StartShell(const std::string& command) {
+/// What it writes to its standard error goes to `to`.
+pid_t StartShell(const std::string& command, int to) {
   const pid_t child = fork();
   if (child != 0) return child;
-  execl("/bin/sh", "sh", "-c", ("exec " + command + " >/dev/null 2>&1").c_str(), nullptr);
+  dup2(to, STDERR_FILENO);
+  execl("/bin/sh", "sh", "-c", ("exec " + command + " >/dev/null").c_str(), nullptr);
   _exit(127);
+}
+
+/// Reads until the server says that it takes connections. False if it ends before, or says nothing for a minute.
+bool WaitUntilReady(int from, std::string& said) {
+  std::array<char, 4096> buffer{};
+  while (said.find("ready to accept connections") == std::string::npos) {
+    pollfd readable{.fd = from, .events = POLLIN, .revents = 0};
+    if (poll(&readable, 1, 60'000) <= 0) return false;
+    const ssize_t length = read(from, buffer.data(), buffer.size());
+    if (length <= 0) return false;
+    said.append(buffer.data(), static_cast<std::size_t>(length));
+  }
+  return true;
 }
 
 }  // namespace
 
 PostgresCluster* PostgresCluster::Get() {
-  static const std::unique_ptr<PostgresCluster> cluster = [] {
-    std::unique_ptr<PostgresCluster> made(new PostgresCluster());
-    return made->Start() ? std::move(made) : nullptr;
-  }();
-  return cluster.get();
+  static PostgresCluster cluster(FindPrograms());
+  if (cluster.bin_.empty()) return nullptr;
+  static const bool is_ready = cluster.Start();
+  if (!is_ready) throw std::runtime_error("the PostgreSQL of " + cluster.bin_ + " does not start: " + cluster.said_);
+  return &cluster;
 }
 
 bool PostgresCluster::Start() {
-  bin_ = FindPrograms();
-  if (bin_.empty()) return false;
   const passwd* user = nullptr;
   if (geteuid() == 0) {
     user = getpwnam("postgres");
@@ -71,16 +86,17 @@ bool PostgresCluster::Start() {
   const std::string init = somebody + bin_ + "/initdb -D " + data + " -U postgres -A trust -E UTF8 --no-sync --locale=";
   // A locale with an order of its own on purpose: ours is by bytes whatever the database's is.
   if (!Succeeds(init + "en_US.UTF-8") && !Succeeds("rm -rf " + data + "; " + init + "C.UTF-8")) return false;
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
   server_ = StartShell(AsSomebody(user) + bin_ + "/postgres -D " + data +
-                       " -c listen_addresses= -c unix_socket_directories=" + folder_.path().string() +
-                       " -c fsync=off -c full_page_writes=off -c shared_buffers=32MB -c max_connections=60");
-  const std::string is_ready = bin_ + "/pg_isready -h " + folder_.path().string();
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!Succeeds(is_ready)) {
-    if (waitpid(server_, nullptr, WNOHANG) != 0 || std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  return true;
+                           " -c listen_addresses= -c unix_socket_directories=" + folder_.path().string() +
+                           " -c fsync=off -c full_page_writes=off -c shared_buffers=32MB -c max_connections=60" +
+                           " -c lc_messages=C",
+                       ends[1]);
+  close(ends[1]);
+  const bool is_ready = WaitUntilReady(ends[0], said_);
+  close(ends[0]);  // what it logs later is lost, and does not block it
+  return is_ready;
 }
 
 PostgresCluster::~PostgresCluster() {

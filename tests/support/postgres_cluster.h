@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <string>
+#include <utility>
 
 #include "tests/support/scenes.h"
 
@@ -13,7 +14,8 @@ namespace dhpmap::testing {
 /// process gone when it ends. Thread-compatible.
 class PostgresCluster {
  public:
-  /// Started when it is first asked for; null where there is no PostgreSQL, or it does not start.
+  /// Started when it is first asked for; null where PostgreSQL is not installed. Throws if it is, and does not start:
+  /// then the tests fail.
   static PostgresCluster* Get();
   static const char* WhyThereIsNone() {
     return "there is no PostgreSQL server to start: deploy/setup.sh --postgres installs one";
@@ -33,11 +35,12 @@ class PostgresCluster {
   void CutConnections() const;
 
  private:
-  PostgresCluster() = default;
+  explicit PostgresCluster(std::string bin) : bin_(std::move(bin)) {}
   bool Start();
 
   TempDir folder_;
-  std::string bin_;
+  const std::string bin_;
+  std::string said_;  ///< what it logged until it was ready
   pid_t server_ = -1;
   int num_schemas_ = 0;
 };
