@@ -19,6 +19,7 @@
 #include "mapping/map/lost_revisions.h"
 #include "mapping/map/map.h"
 #include "mapping/paging/tile_spill.h"
+#include "storage/fleet.h"
 
 namespace dhpmap {
 
@@ -175,6 +176,9 @@ class MapImport {
 class MapStore {
  public:
   virtual ~MapStore() = default;
+
+  /// The processes that share this store; null: there is this one only.
+  [[nodiscard]] virtual Fleet* fleet() { return nullptr; }
 
   /// By ascending name. Includes damaged maps, so that the others can be served.
   virtual Result<std::vector<StoredMap>> ListMaps() = 0;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mapping/base/result.h"
+
+namespace dhpmap {
+
+/// A server process on a store that several processes share.
+struct FleetServer {
+  std::int64_t id = 0;       ///< drawn at its start
+  std::string address;       ///< of its gRPC door, for the other servers and for clients
+  std::string version;       ///< of the program
+  bool is_alive = false;     ///< it has beaten within the lease, by the clock of who asks
+  bool is_draining = false;  ///< it takes no more maps
+  bool is_me = false;
+  std::int64_t num_maps = 0;  ///< that it owns
+};
+
+/// The one process that writes a map.
+struct MapOwner {
+  std::int64_t server = 0;  ///< FleetServer::id
+  std::int64_t epoch = 0;   ///< counts the owners of this map; never falls
+  std::string address;      ///< FleetServer::address
+  bool is_me = false;
+};
+
+/// The processes that share a store. Each map has at most one owner, which alone writes it; each commit carries the
+/// owner's epoch and is refused once another has taken the map. Thread-safe. Calls ask the database unless they say
+/// otherwise: UNAVAILABLE if it does not answer.
+class Fleet {
+ public:
+  virtual ~Fleet() = default;
+
+  /// This process, as the others see it.
+  [[nodiscard]] virtual FleetServer Me() const = 0;
+  /// All that are alive, and the dead that still own maps.
+  virtual Result<std::vector<FleetServer>> ListServers() = 0;
+
+  /// The owner, if it is known and was confirmed recently enough to act on. Asks nobody, never blocks.
+  [[nodiscard]] virtual std::optional<MapOwner> KnownOwner(const std::string& map) const = 0;
+  /// The owner. If nobody alive owns the map, this process takes it. NOT_FOUND; UNAVAILABLE, reason OWNER_UNREACHABLE,
+  /// if its owner has died and this process may not take it (it drains, or its own beats fail).
+  virtual Result<MapOwner> OwnerOf(const std::string& map) = 0;
+  /// Another server has said, or proved by its answers, that it is not the owner: forget what is known.
+  virtual void Forget(const std::string& map) = 0;
+
+  /// Gives a map of ours up, once it is closed here, to a server or (0) to whoever asks first. OK if it is not ours.
+  virtual Status GiveUp(const std::string& map, std::int64_t to_server) = 0;
+  /// Takes no more maps. Maps that are ours stay so until they are given up.
+  virtual void StopTaking() = 0;
+
+  /// Whether own beats have succeeded recently enough that no other process can have taken our maps: else this process
+  /// must not answer for them. Asks nobody.
+  [[nodiscard]] virtual bool MayAnswer() const = 0;
+
+  /// `on_change(map, revision)` is called, soon after another process has committed, for every map of `SetFollowed`, on
+  /// a thread of the fleet. Once, before the first call of SetFollowed.
+  virtual void OnChange(std::function<void(const std::string& map, std::int64_t revision)> on_change) = 0;
+  /// The maps whose commits by others are of interest; replaces the last set.
+  virtual void SetFollowed(std::vector<std::string> maps) = 0;
+};
+
+}  // namespace dhpmap
