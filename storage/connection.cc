@@ -16,9 +16,9 @@ using sqlite::OpenMode;
 constexpr char kSetUpTask[] = "set up the database";
 constexpr std::size_t kMaxIdleReaders = 4;
 
-// No mmap: it would scan 2.6 times as fast as read(), but a file that somebody truncates would end the process by
-// SIGBUS, and what was mapped counts as our memory. secure_delete, on in Debian's build, would write zeros over
-// whatever is replaced.
+// No mmap: it would scan 2.6 times as fast as read(), but if somebody truncates the file, the process would end by
+// SIGBUS; and mapped pages count as our memory. secure_delete, on in Debian's build, would overwrite all replaced data
+// with zeros.
 constexpr char kEveryConnection[] = "PRAGMA mmap_size = 0; PRAGMA cache_size = -16384; PRAGMA temp_store = MEMORY;";
 constexpr char kWriterConnection[] =
     "PRAGMA synchronous = NORMAL; PRAGMA foreign_keys = ON; PRAGMA secure_delete = OFF; PRAGMA cache_size = -65536; "
@@ -26,13 +26,13 @@ constexpr char kWriterConnection[] =
 
 Status NotWritable() { return FailedPrecondition("the database is not writable").WithReason("NOT_WRITABLE"); }
 
-/// Whether a writer left commits in the log that are not in the file yet.
+/// Whether a writer left commits in the log that are not in the database file.
 bool HasLog(const std::string& path) {
   std::error_code missing;
   return std::filesystem::file_size(path + "-wal", missing) > 0 && !missing;
 }
 
-/// What is not there yet may become a file.
+/// OK for a missing file, which may be created.
 Status CheckIsFile(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path, ignored) || !std::filesystem::exists(path, ignored)) return Status::Ok();
@@ -45,7 +45,7 @@ Result<Database> OpenReader(const std::string& path, OpenMode mode, int busy_tim
   return database;
 }
 
-/// SQLite answers with the mode that it ended up in.
+/// SQLite returns the resulting mode.
 Status SwitchToLog(Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement pragma, database.Prepare("PRAGMA journal_mode = WAL", kSetUpTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, pragma.Step());
@@ -58,7 +58,7 @@ Status SwitchToLog(Database& database) {
 Result<Database> OpenWriter(const std::string& path, int busy_timeout_ms, const UpgradeCopyOptions& copy) {
   DHPMAP_RETURN_IF_ERROR(CheckIsFile(path));
   DHPMAP_ASSIGN_OR_RETURN(Database database, Database::Open(path, OpenMode::kReadWriteOrCreate, busy_timeout_ms));
-  database.SetCheckpointOnClose(false);  // until we know that it is ours
+  database.SetCheckpointOnClose(false);  // until the file is known to be ours
   DHPMAP_ASSIGN_OR_RETURN(const SchemaState schema, InspectSchema(database));
   if (database.IsReadOnly()) return NotWritable();
   database.SetCheckpointOnClose(true);
@@ -95,7 +95,7 @@ Result<OpenMode> ProbeReadOnly(const std::string& path, int busy_timeout_ms) {
     return InspectSchema(database);
   };
   Result<SchemaState> schema = inspect();
-  // In a folder that we may not write, SQLite cannot make the index of a write-ahead log; without a log none is needed.
+  // In a read-only folder SQLite cannot create the index of a write-ahead log; without a log it is not needed.
   if (schema.status().code() == StatusCode::kFailedPrecondition && schema.status().reason().empty() && !HasLog(path)) {
     mode = OpenMode::kReadOnlyImmutable;
     schema = inspect();
@@ -120,7 +120,7 @@ Result<ReaderPool::Lease> ReaderPool::Borrow() {
 }
 
 void ReaderPool::Return(Database database) {
-  // Up to 16 MiB each; and pages among what was read keep whole slabs of the allocator after that is gone.
+  // Up to 16 MiB each; the allocator also keeps whole slabs for pages mixed with data that were read.
   database.ReleaseMemory();
   const MutexLock lock(mutex_);
   if (idle_.size() < kMaxIdleReaders) idle_.push_back(std::move(database));

@@ -42,7 +42,7 @@ StoredMap Describe(const MapSnapshot& snapshot) {
 
 using ChangePtr = std::shared_ptr<const MapChange>;
 
-/// A map's changes, as RecordChange and ReadChanges keep them.
+/// The changes of a map, with the semantics of RecordChange and ReadChanges.
 class ChangeLog {
  public:
   explicit ChangeLog(std::int64_t complete_after = 0) : complete_after_(complete_after) {}
@@ -79,12 +79,12 @@ class ChangeLog {
 
  private:
   std::deque<ChangePtr> changes_;
-  std::deque<std::int64_t> seen_ns_;  ///< when each of them was made
+  std::deque<std::int64_t> seen_ns_;  ///< times of the changes
   std::int64_t complete_after_;
   ChangeTotals totals_;
 };
 
-/// A map's edits, as RecordEdit and ReadEdits keep them.
+/// The edits of a map, with the semantics of RecordEdit and ReadEdits.
 class EditLog {
  public:
   void Add(const EditRecord& edit, const SnapshotPtr& after, std::int64_t now_ns, const EditLogLimits& limits) {
@@ -151,7 +151,7 @@ class EditLog {
     return LogBytesOf(edit, (summary.steps.size() * 2 + summary.targets.size() * 2 + num_ids) * sizeof(SubmapId));
   }
 
-  /// Both states, which share what is the same. Bytes have no bound here.
+  /// Both states, which share equal parts. Bytes are not limited here.
   struct History {
     SnapshotPtr before, after;
     std::int64_t seen_ns = 0;
@@ -168,13 +168,13 @@ class EditLog {
   }
 
   std::deque<EditRecord> edits_;
-  std::deque<std::int64_t> seen_ns_;  ///< when each of them was made
+  std::deque<std::int64_t> seen_ns_;  ///< times of the edits
   std::map<std::int64_t, History> histories_;
   std::map<std::int64_t, bool> is_undone_;
   std::int64_t num_bytes_ = 0;
 };
 
-/// Snapshots are immutable and share their blocks with the writer: keeping one is storing it.
+/// Snapshots are immutable and share blocks with the writer, so keeping a snapshot stores it.
 class MemoryStore final : public MapStore {
  public:
   MemoryStore(const ChangeHistoryLimits& limits, const EditLogLimits& edits, PassingTime time)
@@ -252,13 +252,13 @@ class MemoryStore final : public MapStore {
     return maps_.erase(name) > 0 ? Status::Ok() : NoMapNamed(name);
   }
 
-  /// Nothing outlives a memory store: there is no one to keep the numbers from.
+  /// A memory store does not outlive the process, so numbers need no reservation.
   Status Reserve(const std::string& name, const NumberMarks&) override {
     const MutexLock lock(mutex_);
     return maps_.contains(name) ? Status::Ok() : NoMapNamed(name);
   }
 
-  /// What is in memory is as it was given.
+  /// Data in memory cannot be damaged.
   Result<VerifyReport> VerifyMap(const std::string& name, bool, const std::stop_token&) override {
     DHPMAP_ASSIGN_OR_RETURN(const SnapshotPtr snapshot, LoadMap(name));
     VerifyReport report;
@@ -295,7 +295,7 @@ class MemoryStore final : public MapStore {
     return Status::Ok();
   }
 
-  /// Gives a key to all that was written, as a store of blobs does.
+  /// Assigns a key to each written tile, as a store of blobs does.
   void NameTiles(const StateMarks& before, const MapSnapshot& after, const MapSnapshot& known) DHPMAP_REQUIRES(mutex_) {
     for (const SubmapTileChange& submap : DiffTiles(before, after)) {
       const Submap* old = known.Find(submap.copy_of.value_or(submap.id));
@@ -312,7 +312,7 @@ class MemoryStore final : public MapStore {
     }
   }
 
-  static constexpr std::uint16_t kNumber = 0xFFFF;  ///< no store of files has it unless there were too many
+  static constexpr std::uint16_t kNumber = 0xFFFF;  ///< not used by file stores, unless there are too many
 
   static ChangePtr ChangeBetween(const StateMarks& before, const MapSnapshot& after,
                                  const std::vector<RegionEvent>& cleared = {}) {

@@ -19,14 +19,14 @@
 namespace dhpmap {
 namespace {
 
-/// Whether enough is known of its tiles; `without_cells`: those of which some do not say which blocks they have,
+/// Whether the tiles can stay unread: their cells are known. `without_cells`: keys of submaps with unknown cells,
 /// sorted.
 bool CanBeLeftUnread(const SubmapRow& row, const std::vector<std::int64_t>& without_cells) {
   const bool has_any = row.counts.num_tsdf_blocks + row.counts.num_label_blocks + row.counts.num_gone_blocks > 0;
   return has_any && !std::binary_search(without_cells.begin(), without_cells.end(), row.key);
 }
 
-/// With its tiles left on the disk.
+/// A submap with its tiles left on disk.
 Result<std::shared_ptr<const Submap>> Unread(const SubmapRow& row, std::uint16_t store, const Paging& paging,
                                              const std::shared_ptr<SharedTiles>& shared, const std::string& map) {
   constexpr std::uint64_t kOlderThanAnyWriter = 0;
@@ -35,7 +35,7 @@ Result<std::shared_ptr<const Submap>> Unread(const SubmapRow& row, std::uint16_t
       std::make_shared<Submap>(row.info, kOlderThanAnyWriter, std::make_shared<const UnreadTiles>(std::move(stored)));
   submap->set_bounding_sphere(row.sphere);
   submap->kept_outline().Keep(row.outline);
-  if (!row.CoversTiles()) {  // nothing would tell later whether they are still the same
+  if (!row.CoversTiles()) {  // otherwise a later change could not be detected
     Status read = Guarded<Status>([&submap] {
       (void)submap->blocks().tiles();
       return Status::Ok();

@@ -15,17 +15,17 @@
 namespace dhpmap {
 namespace {
 
-/// Bounds the memory for encoded tiles: some 1 MB.
+/// Limits the memory of encoded tiles to about 1 MB.
 constexpr std::size_t kTilesEncodedABatch = 256;
 
 /// One submap with rows to write.
 struct Target {
   const Submap* submap = nullptr;
   std::int64_t key = 0;
-  SubmapCounts counts;  ///< as stored, kept up to date with what is written
-  TileTotals tiles;     ///< likewise, of the bytes and the sum
+  SubmapCounts counts;  ///< as stored, updated with each write
+  TileTotals tiles;     ///< the same for bytes and checksum
   bool is_new = false;
-  bool is_copy = false;  ///< its rows are those of its original, and count for what undoes the edit, too, if one does
+  bool is_copy = false;  ///< its rows equal the original's; undo data of an edit include them
 };
 
 /// One layer of one tile to encode.
@@ -36,19 +36,18 @@ struct EncodeJob {
   StoredBlob before;
 };
 
-/// Finds the outline of a thing that frames write to no longer, so that its row has it: once for each time that it
-/// comes out of sight. What is still being mapped has another one with each commit, which would cost more than the rest
-/// of it.
+/// Finds the outline of an inactive thing, so that its row contains it: once each time that it becomes inactive. An
+/// active thing changes with each commit, and its outline would cost more than the rest of the commit.
 void KeepOutlineOfSettled(const Submap& submap) {
   const SubmapInfo& info = submap.info();
   if (info.panoptic != Panoptic::kThing || info.activity != Activity::kInactive) return;
-  if (submap.blocks().unread() != nullptr) return;  // nobody has written to it
+  if (submap.blocks().unread() != nullptr) return;  // not changed
   const std::span<const TileEntry> tiles = submap.blocks().tiles();
   if (!std::all_of(tiles.begin(), tiles.end(), [](const TileEntry& tile) { return tile.tile->IsRead(); })) return;
   try {
     (void)FindLevelOutline(submap);
   } catch (const StatusError&) {
-    return;  // let go of meanwhile
+    return;  // evicted meanwhile
   }
 }
 
@@ -58,7 +57,7 @@ class SnapshotWriter {
       : submaps_(submaps), tiles_(tiles), store_(store), pool_(pool), recorder_(recorder) {}
 
   Result<WrittenTiles> Write(std::int64_t map_key, const std::vector<SubmapTileChange>& changes) {
-    for (const SubmapTileChange& change : changes) {  // first, while what they are copies of is as it was
+    for (const SubmapTileChange& change : changes) {  // first, while the originals of copies are unchanged
       if (change.copy_of) DHPMAP_RETURN_IF_ERROR(WriteSubmap(map_key, change));
     }
     for (const SubmapTileChange& change : changes) {
@@ -116,20 +115,20 @@ class SnapshotWriter {
     return target;
   }
 
-  /// The row is needed for its key; what it says of its tiles follows.
+  /// Written for its key; its tile counts follow.
   Result<Target> NewTarget(std::int64_t map_key, const Submap& submap) {
     DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key, submaps_.Write(map_key, submap, {}, 0));
     return Target{&submap, key, {}, {}};
   }
 
-  /// A new one, with the tiles that its original has in the store.
+  /// A new submap with the stored tiles of its original.
   Result<Target> CopiedTarget(std::int64_t map_key, const SubmapTileChange& change) {
     DHPMAP_ASSIGN_OR_RETURN(const std::optional<SubmapTable::Stored> original, submaps_.Find(map_key, *change.copy_of));
     if (!original) return NotTheStateBefore(*change.copy_of);
     DHPMAP_ASSIGN_OR_RETURN(Target target, TargetOf(*change.after, *original));
     DHPMAP_ASSIGN_OR_RETURN(const Target copy, NewTarget(map_key, *change.after));
     target.key = copy.key;
-    target.is_copy = change.tiles.empty();  // else some rows are another's, and all are counted at the end
+    target.is_copy = change.tiles.empty();  // else some rows differ, and all are counted at the end
     const std::int64_t num_more = recorder_ != nullptr && target.is_copy ? 2 : 1;
     DHPMAP_RETURN_IF_ERROR(tiles_.Copy(original->key, target.key, num_more));
     return target;
@@ -158,7 +157,7 @@ class SnapshotWriter {
       DHPMAP_RETURN_IF_ERROR(NoteChange(target, change, layer, before, StoredBlob()));
       return tiles_.Erase(target.key, change.index, layer.number, before, target.tiles);
     }
-    if (!change.is_written[i]) {  // its blob goes on to be that of the tile in memory
+    if (!change.is_written[i]) {  // its blob becomes that of the tile in memory
       written_.Note(*change.after, layer.layer, before.key);
       return Status::Ok();
     }
@@ -171,7 +170,7 @@ class SnapshotWriter {
     return Put(target, change, layer, before, *known);
   }
 
-  /// What the store has of a tile in memory already.
+  /// The stored blob of a tile in memory, if there is one.
   Result<std::optional<StoredBlob>> FindStored(const BlockTile& tile, BlockLayer layer) {
     std::int64_t key = written_.Find(tile, layer);
     if (key == 0) key = tile.stored(layer).In(store_);
@@ -189,14 +188,14 @@ class SnapshotWriter {
     return tiles_.Put(target.key, change.index, layer.number, before, row, target.tiles);
   }
 
-  /// For who undoes the edit. Of what is new all is noted at the end.
+  /// Records undo data of an edit. New submaps are recorded as a whole at the end.
   Status NoteChange(const Target& target, const TileChange& change, const ObjectLayer& layer, const StoredBlob& before,
                     const StoredBlob& after) {
     if (recorder_ == nullptr || target.is_new) return Status::Ok();
     return recorder_->Note(target.submap->id().value, change.index, layer.number, before, after);
   }
 
-  /// Encodes and writes what is waiting for it.
+  /// Encodes and writes the collected tiles.
   Status Flush() {
     std::vector<Bytes> blobs(jobs_.size());
     pool_.ParallelFor(jobs_.size(), [&](std::size_t i) {
@@ -219,7 +218,7 @@ class SnapshotWriter {
   TileTable& tiles_;
   const std::uint16_t store_;
   ThreadPool& pool_;
-  EditTiles* const recorder_;  // null: it is no edit
+  EditTiles* const recorder_;  // null: not an edit
   std::vector<Target> targets_;
   std::vector<EncodeJob> jobs_;
   std::unordered_set<const BlockTile*> encoding_;  ///< tiles of the jobs

@@ -17,11 +17,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-// Between two looks at the clock. SQLite looks for each page of the file's end in the list of free ones, so a page
-// takes longer the more are free: from 10 us with a hundred MB to 100 us with a GB.
+// Between two looks at the clock. SQLite searches the list of free pages for each page at the file's end, so a page
+// takes longer the more are free: 10 us with a hundred MB, 100 us with a GB.
 constexpr std::int64_t kPagesAtATime = 8;
 constexpr milliseconds kRetry{1000};
-/// Shorter than where a commit copies the log itself: 4096 pages (see connection.cc).
+/// Smaller than the log at which commits copy it: 4096 pages (see connection.cc).
 constexpr std::int64_t kCommitsCopyLogBytes = 12'000'000;
 
 }  // namespace
@@ -68,9 +68,9 @@ void SpaceReclaimer::Loop() {
       try {
         progress = Step();
       } catch (const std::exception&) {
-        progress = Progress::kBlocked;  // no memory: as on a full disk
+        progress = Progress::kBlocked;  // memory has run out: as on a full disk
       }
-      // As long as it kept the writer, so that the disk is others' half of the time.
+      // Pause as long as it used the writer, so that others get the disk half of the time.
       const Clock::duration pause = progress == Progress::kBlocked ? kRetry : kept_writer_;
       lock.Lock();
       wake_.WaitFor(mutex_, pause, [this]() DHPMAP_REQUIRES(mutex_) { return is_stopping_; });
@@ -88,7 +88,7 @@ SpaceReclaimer::Progress SpaceReclaimer::Step() {
     return Status::Ok();
   });
   kept_writer_ = Clock::now() - begin;
-  if (!done.ok()) return EmptyLog(Progress::kBlocked);  // on a full disk, what the log takes is missing
+  if (!done.ok()) return EmptyLog(Progress::kBlocked);  // the disk may be full, and the log uses space
   if (work.num_pages > 0) has_given_back_ = true;
   if (work.num_blobs > 0 || work.num_pages > 0) return Progress::kMore;
   return has_given_back_ ? EmptyLog(Progress::kDone) : Progress::kDone;
@@ -100,7 +100,7 @@ Result<SpaceReclaimer::Work> SpaceReclaimer::CollectAndGiveBack(sqlite::Database
       const Collected collected,
       CollectDeadBlobs(database, {.max_blobs = kMaxAStep, .max_bytes = kMaxBytesAStep, .end = end}, kept_));
   Work work{.num_blobs = collected.num_blobs};
-  // Else in the same step: where each commit leaves a few blobs there would never be one for pages.
+  // Continue in the same step: if each commit leaves a few blobs, pages would otherwise never be freed.
   if (collected.has_more || num_spare_pages_ == kKeepAll) return work;
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_free, sqlite::NumFreePages(database));
   const std::int64_t num_pages = std::clamp<std::int64_t>(num_free - num_spare_pages_, 0, kMaxAStep);
@@ -113,9 +113,9 @@ Result<SpaceReclaimer::Work> SpaceReclaimer::CollectAndGiveBack(sqlite::Database
   return work;
 }
 
-// While a commit on one connection begins the log anew, which it does where all of it was copied, SQLite before 3.51.3
-// may lose pages to a checkpoint that another begins. So beside commits we begin one only on a log of which nothing was
-// copied.
+// SQLite before 3.51.3 may lose pages if a commit on one connection restarts the log, after all of it was copied, while
+// another connection starts a checkpoint. So besides those of commits, start checkpoints only on a log of which nothing
+// was copied.
 Status SpaceReclaimer::CopyLog() {
   const bool is_safe = is_log_new_ && log_.NumLogBytes() < kCommitsCopyLogBytes;
   is_log_new_ = false;

@@ -42,12 +42,12 @@ namespace {
 using sqlite::Database;
 using sqlite::Transaction;
 
-/// Free pages that stay in the file for what is stored next: 4 MB.
+/// Free pages to keep in the file for later data: 4 MB.
 constexpr std::int64_t kNumSparePages = 1024;
 
-/// What makes a store a writer: the only one of its database.
+/// The parts of a writing store, the only one of its database.
 struct Writer {
-  FileLock lock;  // first, so that it outlives the connection (and the store closes its readers before)
+  FileLock lock;  // first, so that it outlives the connection (the store closes its readers before)
   Database database;
   ThreadPool pool{NumCodecThreads()};
   Durability durability = Durability::kNormal;
@@ -72,7 +72,7 @@ Result<StoredMap> DescribeStored(Database& database, const std::string& name) {
   return map;
 }
 
-/// Errors that come from one map's rows, not from the database as a whole.
+/// Whether an error comes from one map's rows, not from the whole database.
 bool IsDamage(const Status& status) {
   return status.code() == StatusCode::kDataLoss || status.code() == StatusCode::kFailedPrecondition;
 }
@@ -97,7 +97,7 @@ class SqliteStore final : public MapStore {
         paging_(options.pages_tiles ? std::make_shared<TileBlobs>(std::move(path), reader_mode, options.busy_timeout_ms)
                                     : nullptr) {}
   ~SqliteStore() override {
-    if (paging_ != nullptr) paging_->Close();  // while this process has the database
+    if (paging_ != nullptr) paging_->Close();  // while this process holds the database
     StoreTimeSinceLastCommit();
   }
   SqliteStore(const SqliteStore&) = delete;
@@ -124,7 +124,7 @@ class SqliteStore final : public MapStore {
     Paging paging{.blobs = paging_, .reads_the_rest = writer_ == nullptr};
     auto map = LoadMap(name, paging);
     if (!paging.lacks_cells || writer_ == nullptr) return map;
-    // Where it cannot be done the tiles are read at once, and whatever is wrong with them is told then.
+    // If it fails, tiles are read at once, which reports errors.
     (void)NoteTileCells(
         [this](const std::function<Status(Database&)>& body) {
           return Write(Durability::kNormal, [&](Writer& writer) { return body(writer.database); });
@@ -219,7 +219,7 @@ class SqliteStore final : public MapStore {
     return BeginMapImport(path_, {write, kept_});
   }
 
-  /// For a store that has just been opened, before all else: what is deleted from now on gives its space back.
+  /// For a store that was just opened, before anything else: from now on, deleted data return their space.
   Status GiveSpaceBack() {
     const FairMutexLock lock(writer_mutex_);
     DHPMAP_ASSIGN_OR_RETURN(const bool is_allowed, sqlite::AllowsGivingBack(writer_->database));
@@ -236,7 +236,7 @@ class SqliteStore final : public MapStore {
     return Status::Ok();
   }
 
-  /// For a store that has just been opened: see Reserve and Backup.
+  /// For a store that was just opened: see Reserve and Backup.
   Status GoOn() {
     return Write(Durability::kFull, [this](Writer& writer) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(SeenClock clock, SeenClock::GoOn(writer.database, time_));
@@ -256,7 +256,7 @@ class SqliteStore final : public MapStore {
     return body(*lease);
   }
 
-  /// Runs `body` as one transaction: all of it, or nothing.
+  /// Runs `body` as one transaction: completely or not at all.
   template <typename Body>
   Status Write(Durability durability, Body&& body) {
     if (writer_ == nullptr) {
@@ -284,7 +284,7 @@ class SqliteStore final : public MapStore {
     });
   }
 
-  /// `edit`: what made the state after; null: not an edit.
+  /// `edit`: the edit that made `after`, or null.
   Status CommitState(const StateMarks& before, const MapSnapshot& after, Durability durability,
                      const EditRecord* edit) {
     DHPMAP_RETURN_IF_ERROR(ValidateCommit(before.info(), after.info()));
@@ -301,7 +301,7 @@ class SqliteStore final : public MapStore {
       if (before.lacks_left()) return FailedPrecondition("the edit before left something").WithReason("STALE_STATE");
       DHPMAP_ASSIGN_OR_RETURN(const std::int64_t key,
                               RecordEdit(writer.database, head.key, *edit, clock_->Now_ns(), edit_limits_));
-      // What undoes an undo is kept with the edit that it undid.
+      // The undo data of an undo are those of the original edit.
       const bool is_kept = edit->entry.summary.kind == EditKind::kEdit && edit_limits_.max_histories > 0;
       DHPMAP_ASSIGN_OR_RETURN(EditTileRecorder recorder, EditTileRecorder::Prepare(writer.database, key));
       EditTileRecorder* const noted = is_kept ? &recorder : nullptr;
@@ -314,15 +314,15 @@ class SqliteStore final : public MapStore {
     return done;
   }
 
-  /// What is noted of a commit beside the state.
+  /// Additional records of a commit.
   struct Writing {
-    EditTileRecorder* layers = nullptr;   ///< is told of the map's own tiles
-    EditTileRecorder* objects = nullptr;  ///< of those of objects
+    EditTileRecorder* layers = nullptr;   ///< records the map's own tiles
+    EditTileRecorder* objects = nullptr;  ///< records tiles of objects
     std::vector<RegionEvent> cleared = {};
-    bool lacks_left = false;  ///< what MapSnapshot::leaving() has left is written by a later commit
+    bool lacks_left = false;  ///< space vacated by MapSnapshot::leaving() is written by a later commit
   };
 
-  /// Writes what differs between two states of the map that `head` is the row of.
+  /// Writes the differences between two states of the map whose row is `head`.
   Result<WrittenTiles> WriteState(Writer& writer, const MapRow& head, const MapInfo& info_before,
                                   const StateMarks& before, const MapSnapshot& after, const Writing& writing) {
     const MapLayersToWrite layers{*after.free_space(), writing.lacks_left ? *after.noted_vacated() : *after.vacated()};
@@ -347,16 +347,16 @@ class SqliteStore final : public MapStore {
     return written;
   }
 
-  /// At the end, or of a server that only answers no time would pass.
+  /// At shutdown; otherwise time would not advance for a server that only answers queries.
   void StoreTimeSinceLastCommit() {
     constexpr std::int64_t kWorthACommit_ns = 60'000'000'000;
     if (!clock_ || clock_->Now_ns() - stored_seen_ns_ < kWorthACommit_ns) return;
-    // Where it cannot be stored, what is kept stays a little longer.
+    // If it fails, data are kept a little longer.
     (void)Write(Durability::kNormal,
                 [this](Writer& writer) { return StoreSeenTime(writer.database, clock_->Now_ns()); });
   }
 
-  /// In WAL mode, synchronous = FULL syncs the log at each commit, and with it all commits before.
+  /// In WAL mode, synchronous = FULL syncs the log at each commit, including all earlier commits.
   static Status SetDurability(Writer& writer, Durability durability) {
     if (writer.durability == durability) return Status::Ok();
     const char* pragma = durability == Durability::kFull ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL";
@@ -371,13 +371,13 @@ class SqliteStore final : public MapStore {
   const EditLogLimits edit_limits_;
   const PassingTime time_;
   std::optional<SeenClock> clock_;                // none: read-only
-  std::atomic<std::int64_t> stored_seen_ns_ = 0;  // at least: of a commit that failed, too
-  FairMutex writer_mutex_;  // fair, or commits that follow upon each other would leave the reclaimer no turn
+  std::atomic<std::int64_t> stored_seen_ns_ = 0;  // lower bound: may be of a failed commit
+  FairMutex writer_mutex_;  // fair, because consecutive commits would otherwise starve the reclaimer
   const std::unique_ptr<Writer> writer_ DHPMAP_PT_GUARDED_BY(writer_mutex_);  // null: read-only
   ReaderPool readers_;
-  const std::shared_ptr<TileBlobs> paging_;  // null: maps are read as a whole
+  const std::shared_ptr<TileBlobs> paging_;  // null: maps are read completely
   KeptBlobs kept_;
-  std::unique_ptr<SpaceReclaimer> reclaimer_;  // last, as it uses all others; null: read-only
+  std::unique_ptr<SpaceReclaimer> reclaimer_;  // last, because it uses all others; null: read-only
 };
 
 }  // namespace

@@ -9,10 +9,10 @@
 namespace dhpmap {
 namespace {
 
-/// Bounds the memory for blobs not yet decoded: some 1 MB.
+/// Limits the memory of blobs not yet decoded to about 1 MB.
 constexpr std::size_t kTilesDecodedABatch = 128;
 
-/// Whether the row says of the tiles what is so.
+/// Whether the row's records of its tiles are correct.
 Status CheckStored(const SubmapRow& row, const Submap& submap, const TileTotals& totals) {
   Status checked = CheckCounts(CountBlocks(submap), row.counts);
   if (checked.ok() && row.CoversTiles() && totals.sum != row.tiles_sum) {
@@ -97,7 +97,7 @@ Status SubmapMaker::DecodeBatch() {
 
 Status DamagedState(const std::string& name, const Status& status) {
   Status named(status.code(), "map '" + name + "': " + status.message());
-  // What is refused here as not to be understood is of a version to come; all else is damage, or its cause.
+  // Data that this version does not understand are of a newer one; all other errors mean damage, or its cause.
   return status.code() == StatusCode::kFailedPrecondition ? named.WithReason("NEWER_LAYER")
                                                           : named.WithReason("DAMAGED_MAP");
 }

@@ -15,31 +15,31 @@
 
 namespace dhpmap {
 
-/// What became of the frames of one mapping session. Thread-safe.
+/// Summary of the server's answers to the frames of one mapping session. Thread-safe.
 class AckSummary {
  public:
-  /// A frame that could not be read. True the first time for its kind: then the user should be told.
+  /// Counts a frame that could not be read. True for the first of its kind: tell the user.
   bool AddSkipped(const Status& why);
-  /// True the first time for its kind of refusal. A frame that is sent and fused again, because it was lost before it
-  /// was stored, counts once.
+  /// True for the first refusal of its kind. A frame that is sent and fused again, because it was lost before it was
+  /// stored, counts once.
   bool AddAck(const v1::IntegrateFramesResponse& ack);
-  /// Of the warnings that a fused frame came with, those of a fault that none had before: the user should be told.
+  /// Returns the warnings of a fused frame whose fault is new: tell the user.
   std::vector<std::string> AddWarnings(const v1::IntegrateFramesResponse& ack);
-  /// An answer for no frame: says how much is stored.
+  /// Takes an answer without a frame; it reports how much is stored.
   void AddProgress(const v1::IntegrateFramesResponse& answer);
-  /// So many frames need not be sent: they are in the store from an earlier run.
+  /// Sets the number of frames that an earlier run stored; they need not be sent.
   void SetStoredBefore(std::size_t num_frames);
-  /// The stream ended well: whatever was taken is in the store.
+  /// The stream ended well: all accepted frames are stored.
   void SetAllStored();
 
-  [[nodiscard]] std::size_t num_done() const;    ///< skipped, refused, taken now, and stored before
-  [[nodiscard]] std::size_t num_stored() const;  ///< as far as the server has said, those before included
+  [[nodiscard]] std::size_t num_done() const;    ///< skipped, refused, fused now, and stored before
+  [[nodiscard]] std::size_t num_stored() const;  ///< as far as the server has reported, including those stored before
   [[nodiscard]] std::size_t num_fused() const;
   [[nodiscard]] std::size_t num_refused() const;
   [[nodiscard]] std::size_t num_created() const;
 
   void Print(std::ostream& out, double elapsed_s) const;
-  /// One JSON object; `map` and `num_submaps` as they are at the end.
+  /// One JSON object; `map` and `num_submaps` as at the end.
   [[nodiscard]] std::string Json(const v1::Map& map, double elapsed_s) const;
 
  private:
@@ -47,7 +47,7 @@ class AckSummary {
     std::size_t count = 0;
     std::string reason, first_message;
   };
-  /// By reason and message, numbers in it left out: the same trouble with other frames is of the same kind.
+  /// By reason and message without its numbers, so that the same problem with other frames is of the same kind.
   using Kinds = std::map<std::string, Kind>;
   static bool Count(Kinds& kinds, const std::string& reason, const std::string& message);
   static void PrintKinds(std::ostream& out, const Kinds& kinds, const char* what);
@@ -56,14 +56,14 @@ class AckSummary {
   mutable Mutex mutex_;
   Kinds skipped_ DHPMAP_GUARDED_BY(mutex_);
   Kinds refused_ DHPMAP_GUARDED_BY(mutex_);
-  Kinds doubtful_ DHPMAP_GUARDED_BY(mutex_);  ///< fused with a warning, by its fault
+  Kinds doubtful_ DHPMAP_GUARDED_BY(mutex_);  ///< fused with a warning, by fault
   std::size_t num_skipped_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::size_t num_refused_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::size_t num_doubtful_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::size_t num_fused_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::set<std::int64_t> taken_ DHPMAP_GUARDED_BY(mutex_);           ///< sequences of frames fused, now or before
-  std::optional<std::int64_t> committed_ DHPMAP_GUARDED_BY(mutex_);  ///< those up to here are stored
-  std::size_t num_duplicates_ DHPMAP_GUARDED_BY(mutex_) = 0;         ///< taken before, but not counted as fused
+  std::optional<std::int64_t> committed_ DHPMAP_GUARDED_BY(mutex_);  ///< frames up to this sequence are stored
+  std::size_t num_duplicates_ DHPMAP_GUARDED_BY(mutex_) = 0;         ///< fused before, and not counted as fused
   std::size_t num_stored_before_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::size_t num_created_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::int64_t num_points_ DHPMAP_GUARDED_BY(mutex_) = 0;

@@ -13,17 +13,17 @@ class App;
 
 namespace dhpmap {
 
-/// What of a robot may touch what.
+/// Allowed contacts of a robot, from the command line.
 struct AllowFlags {
   std::vector<std::string> allowed;  ///< "PART:WHAT"
-  std::vector<std::string> links;    ///< a name a body, or sphere
+  std::vector<std::string> links;    ///< a name for each body or sphere
 };
 
-/// `parts`: what links have a name for, "body".
+/// `parts`: what the links name, such as "body".
 void AddAllowFlags(CLI::App& command, const std::string& parts, AllowFlags& flags);
 
-/// Adds them to the options. PART is a link or the id of something attached, or none: the whole robot; WHAT is a class
-/// or the id of an object. INVALID_ARGUMENT for one without WHAT.
+/// Adds the flags to the options. PART is a link, the id of an attached object, or empty for the whole robot; WHAT is a
+/// class or the id of an object. INVALID_ARGUMENT if WHAT is missing.
 Status AddAllowed(const AllowFlags& flags, const std::string& map, v1::QueryOptions& options);
 
 }  // namespace dhpmap

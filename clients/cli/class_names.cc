@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// Ids and names of a map's classes: all that is looked at here. Older maps have names that new ones may not.
+/// Ids and names of a map's classes, all that is needed here. Names in older maps may be invalid for new ones.
 Result<LabelSet> NamesOf(const v1::Map& map) {
   std::vector<LabelClass> classes;
   for (const v1::LabelClass& label_class : map.label_classes()) {

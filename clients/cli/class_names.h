@@ -11,8 +11,8 @@ namespace dhpmap {
 /// "thing", "stuff" or "unknown".
 std::string KindName(v1::LabelClass::Kind kind);
 
-/// The class of a map that a user means by its name (as the server takes it, see FindClassByName) or its id. NOT_FOUND
-/// says which name is near, and lists the classes there are.
+/// Finds a class of the map by its name (as the server does, see FindClassByName) or id. The NOT_FOUND error suggests a
+/// similar name and lists the classes.
 Result<v1::LabelClass> FindClass(const v1::Map& map, const std::string& name_or_id);
 
 }  // namespace dhpmap

@@ -8,8 +8,8 @@
 
 namespace dhpmap {
 
-/// OK if whoever sits at the terminal says "y" or "yes" to the question, which is put as "QUESTION [y/N] ". ABORTED
-/// for anything else; FAILED_PRECONDITION, without a question, where `is_terminal` says that nobody sits there.
+/// Asks "QUESTION [y/N] "; OK if the answer is "y" or "yes", else ABORTED. FAILED_PRECONDITION, without asking, if
+/// `is_terminal` is false.
 Status Confirm(const std::string& question, bool is_terminal, std::istream& in, std::ostream& out);
 
 }  // namespace dhpmap

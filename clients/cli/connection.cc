@@ -10,13 +10,13 @@
 namespace dhpmap {
 namespace {
 
-/// Of what has none of its own: finishing or restoring a large map takes what it takes.
+/// Timeout of calls without their own: finishing or restoring a large map may take long.
 constexpr double kLongestCall_s = 86'400;
 
 void PrintDetails(const client::Status& status) {
   if (!status.reason.empty()) std::cerr << "  reason: " << status.reason << "\n";
   for (const client::FieldViolation& violation : status.violations) {
-    const std::string& message = status.message;  // which says the first
+    const std::string& message = status.message;  // contains the first violation
     if (message.find(violation.field + ": " + violation.description) != std::string::npos) continue;
     std::cerr << "  " << Printable(violation.field) << ": " << Printable(violation.description) << "\n";
   }
@@ -24,7 +24,7 @@ void PrintDetails(const client::Status& status) {
 
 void PrintMessage(const google::protobuf::Message& message, bool in_lines) {
   google::protobuf::util::JsonPrintOptions options;
-  options.preserve_proto_field_names = true;  // as the REST door prints them
+  options.preserve_proto_field_names = true;  // as in the REST door
   options.add_whitespace = in_lines;
   options.always_print_primitive_fields = true;
   std::string text;

@@ -17,17 +17,17 @@ class App;
 
 namespace dhpmap {
 
-/// What every command needs: where the server is, how to answer, and how it went. Filled by the command line.
+/// State that all commands share: the server's address, the output format and the exit code. Set by the command line.
 struct Session {
   std::string server = "127.0.0.1:50051";
-  std::string token_file;  ///< with the key that is shown with every call; empty: none
-  std::string ca;  ///< PEM file of who has signed the server's certificate, "system" for this system's; empty: no TLS
+  std::string token_file;  ///< file with the key for every call; empty: none
+  std::string ca;  ///< PEM file of the CAs that sign server certificates; "system": those of this system; empty: no TLS
   bool json = false;
   ExitCode exit_code = ExitCode::kOk;
   std::shared_ptr<client::Caller> caller;  ///< after Open
 };
 
-/// Makes session.caller, without a look at the server. InvalidArgument with a violation of "token", "token_file" or
+/// Creates session.caller, without contacting the server. InvalidArgument with a violation of "token", "token_file" or
 /// "ca_file".
 client::Status Open(Session& session);
 
@@ -37,30 +37,30 @@ std::string SubmapName(const std::string& map, std::int64_t id);
 
 /// Prints "dhpmap: NOT_FOUND: message" with details and hints to stderr; returns the exit code.
 ExitCode ReportError(const Session& session, const client::Status& status);
-/// The same for something that went wrong here.
+/// The same for a local error.
 ExitCode ReportLocalError(const std::string& message, ExitCode code = ExitCode::kLocalFile);
 
-/// The message as JSON, in the way of the REST door, to stdout.
+/// Prints the message to stdout as JSON, in the form of the REST door.
 void PrintJson(const google::protobuf::Message& message);
 /// The same on one line, for streams.
 void PrintJsonLine(const google::protobuf::Message& message);
 
-/// The answer to a request, such as Ask(session, &v1::MapService::Stub::GetMap, request). Sent once: who waits at a
-/// terminal is told at once that there is no server.
+/// Calls the server, such as Ask(session, &v1::MapService::Stub::GetMap, request). No retries: a user at a terminal
+/// should see at once that the server is unreachable.
 template <typename Stub, typename Request, typename Response>
 client::Result<Response> Ask(const Session& session,
                              grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
                              const Request& request) {
   return session.caller->Call(method, request, 0, client::Again::kNo);
 }
-/// All pages of a list, put together.
+/// Reads all pages of a list into one response.
 template <typename Stub, typename Request, typename Response>
 client::Result<Response> AskForAll(const Session& session,
                                    grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
                                    const Request& request) {
   return client::ReadAllPages(*session.caller, method, request, client::Again::kNo);
 }
-/// Prints an answer, as JSON or by `print(answer)`, or why there is none.
+/// Prints an answer, as JSON or by `print(answer)`, or its error.
 template <typename Response, typename Print>
 ExitCode Tell(const Session& session, const client::Result<Response>& answer, Print print) {
   if (!answer.ok()) return ReportError(session, answer.status());
@@ -69,7 +69,7 @@ ExitCode Tell(const Session& session, const client::Result<Response>& answer, Pr
   return ExitCode::kOk;
 }
 
-// Each adds its subcommands; when one is chosen it runs and sets session.exit_code.
+// Each function adds its subcommands; a chosen one runs and sets session.exit_code.
 void AddMapCommand(CLI::App& app, Session& session);
 void AddMapsCommands(CLI::App& app, Session& session);
 void AddSubmapsCommand(CLI::App& app, Session& session);
@@ -88,13 +88,13 @@ void AddDoctorCommand(CLI::App& app, Session& session);
 void AddUiCommand(CLI::App& app, Session& session);
 void AddReplayCommand(CLI::App& app, Session& session);
 void AddRestoreCommand(CLI::App& app, Session& session);
-/// The script is made of `app` as it is when it is asked for.
+/// The completion script is made from `app` when it is requested.
 void AddCompletionCommand(CLI::App& app, Session& session);
-// Likewise, subcommands of `maps`.
+// The same for subcommands of `maps`.
 void AddMapFileCommands(CLI::App& maps, Session& session);
-// Likewise, subcommands of `export`.
+// The same for subcommands of `export`.
 void AddOctomapCommand(CLI::App& parent, Session& session);
-// Likewise, subcommands of `query`.
+// The same for subcommands of `query`.
 void AddGridCommand(CLI::App& query, Session& session);
 void AddObjectCommands(CLI::App& query, Session& session);
 void AddSliceCommand(CLI::App& query, Session& session);

@@ -7,15 +7,14 @@
 
 namespace dhpmap {
 
-/// What every command that edits takes, as every request that edits does: whose it is, under which id it may be sent
-/// again, whether it is only tried, and what the state must be that it meets.
+/// Flags of all editing commands: the author, a request id for safe retries, a dry run, and preconditions on the state.
 struct EditFlags {
   std::string author, request_id, etag;
   std::int64_t expected_revision = 0;
   bool only_try = false;
 
-  /// All that is set but the etag, which some requests have in what they name; a request that came as JSON may have
-  /// the others already.
+  /// Sets the given fields of a request, except the etag, which some requests have in another message. Fields of a
+  /// request that was read from JSON are kept unless a flag is given.
   template <typename Request>
   void Sign(Request& request) const {
     if (!author.empty()) request.set_author(author);
@@ -25,7 +24,7 @@ struct EditFlags {
   }
 };
 
-/// Writes to `flags`, which must outlive the command. `of_what` the etag is; `who` the author is, for the help.
+/// Writes to `flags`, which must outlive the command. `of_what` has the etag, `who` is the author: for the help.
 void AddEditFlags(CLI::App& command, EditFlags& flags, const std::string& of_what,
                   const std::string& who = "Author, for the log");
 

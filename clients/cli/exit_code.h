@@ -5,7 +5,7 @@
 
 namespace dhpmap {
 
-/// What the program's exit code says, for scripts. Part of the interface: numbers never change their meaning.
+/// Exit codes of the program, for scripts. Part of the interface: numbers never change their meaning.
 enum class ExitCode : int {
   kOk = 0,
   kUsage = 1,         ///< bad command line
@@ -14,7 +14,7 @@ enum class ExitCode : int {
   kConflict = 4,      ///< ALREADY_EXISTS, ABORTED
   kUnreachable = 5,   ///< UNAVAILABLE, DEADLINE_EXCEEDED
   kServerFailed = 6,  ///< INTERNAL, DATA_LOSS and every other code
-  kLocalFile = 7,     ///< a file or data set here cannot be read or written
+  kLocalFile = 7,     ///< a local file or data set cannot be read or written
   kPartly = 8,        ///< frames were refused, or none could be used
   kInterrupted = 130,
 };

@@ -18,9 +18,8 @@ inline std::string MegabytesASecond(std::int64_t num_bytes, double elapsed_s) {
   return Fixed(static_cast<double>(num_bytes) / 1e6 / std::max(elapsed_s, 1e-3), 1) + " MB/s";
 }
 
-/// Writes a file that the server sends in parts (`data`, and `total_bytes` in the first) and puts it into its place
-/// once all of it has come. `on_part(part)` sees each. Says how far it is, and why not, on standard error; `what`:
-/// "mesh".
+/// Writes a file that the server sends in parts (`data`, and `total_bytes` in the first), and publishes it once it is
+/// complete. Calls `on_part(part)` for each. Reports progress and errors on standard error; `what`: "mesh".
 template <typename Part, typename OnPart>
 ExitCode Download(const Session& session, client::Parts<Part>& parts, const std::string& what, OutputFile& file,
                   OnPart on_part) {

@@ -17,7 +17,7 @@ namespace dhpmap {
 namespace {
 
 constexpr std::chrono::milliseconds kLookAgain{100};
-/// The watch that tells of it begins first; longer than that nobody waits for it.
+/// Longest wait for the watch that reports progress.
 constexpr std::chrono::seconds kWatchBegins{2};
 
 std::atomic<bool> g_is_finish_interrupted = false;
@@ -27,7 +27,7 @@ void OnFinishInterrupt(int) {
   std::signal(SIGINT, SIG_DFL);
 }
 
-/// Reads what WatchMap says of a map that is being finished, until the end of its life.
+/// Reads progress from WatchMap while a map is being finished, until destruction.
 class FinishWatch {
  public:
   FinishWatch(client::Caller& caller, const std::string& map,
@@ -100,7 +100,7 @@ client::Result<v1::FinishMappingResponse> FinishAndTell(client::Caller& caller, 
   g_is_finish_interrupted = false;
   const auto handler_before = std::signal(SIGINT, OnFinishInterrupt);
   std::atomic<v1::FinishProgress::Stage> told = v1::FinishProgress::STAGE_UNSPECIFIED;
-  TerminalLine line;  // of the listener's thread, until the call is over
+  TerminalLine line;  // used on the listener's thread until the call ends
   const FinishListener listener{.on_progress =
                                     [&](const v1::FinishProgress& progress) {
                                       const bool is_new = told.exchange(progress.stage()) != progress.stage();

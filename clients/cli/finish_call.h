@@ -10,21 +10,21 @@
 
 namespace dhpmap {
 
-/// Who follows a call of FinishMapping.
+/// Callbacks of a FinishMapping call.
 struct FinishListener {
-  /// Hears how far it is, on a thread of its own, and never after the call; may be empty.
+  /// Receives progress on a separate thread, never after the call; may be empty.
   std::function<void(const v1::FinishProgress&)> on_progress;
-  /// Asked some ten times a second; once it is true the call is cancelled. May be empty.
+  /// Polled about ten times a second; the call is cancelled once it returns true. May be empty.
   std::function<bool()> is_interrupted;
 };
 
-/// FinishMapping of "maps/kitchen". CANCELLED if it was interrupted: the map is as it was, unless it was being stored
-/// already. What is told of it comes from WatchMap; where that is refused, nothing is told.
+/// Calls FinishMapping of "maps/kitchen". CANCELLED if it was interrupted: the map is unchanged, unless storing had
+/// begun. Progress comes from WatchMap; if that is refused, there is none.
 client::Result<v1::FinishMappingResponse> CallFinish(client::Caller& caller, const std::string& map,
                                                      const FinishListener& listener);
 
-/// The same, told on stderr, in one line of a terminal or else a line for each stage, and cancelled by the first
-/// Ctrl-C, which it tells, too; the second one ends the program. CANCELLED for nothing else.
+/// The same with progress on stderr: one line on a terminal, else a line per stage. The first Ctrl-C cancels the call
+/// and says so; the second one ends the program. CANCELLED only after Ctrl-C.
 client::Result<v1::FinishMappingResponse> FinishAndTell(client::Caller& caller, const std::string& map);
 
 }  // namespace dhpmap

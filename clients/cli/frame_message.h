@@ -8,7 +8,7 @@
 
 namespace dhpmap {
 
-/// A data set's frame as the server takes it; image files are passed on unread.
+/// Converts a data set's frame to a message; image files are passed on without decoding.
 v1::Frame ToMessage(const DatasetFrame& frame, bool has_persistent_ids);
 
 }  // namespace dhpmap

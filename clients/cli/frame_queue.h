@@ -20,31 +20,31 @@ struct QueuedFrame {
   v1::Frame message;
 };
 
-/// Reads frames of a data set ahead on a thread of its own, a few at most. Thread-safe.
+/// Reads ahead a few frames of a data set on its own thread. Thread-safe.
 class FrameQueue {
  public:
-  /// Called on the reading thread for a frame that has to be skipped.
+  /// Called on the reading thread for each skipped frame.
   using OnSkipped = std::function<void(std::size_t index, const Status& why)>;
 
-  /// `dataset` must outlive the queue and be left alone meanwhile.
+  /// `dataset` must outlive the queue, and must not be used meanwhile.
   FrameQueue(Dataset& dataset, std::vector<std::size_t> indices, bool has_persistent_ids, OnSkipped on_skipped);
   ~FrameQueue();
 
-  /// Waits for the next frame; empty after the last one and after Stop.
+  /// Waits for the next frame; empty after the last one, and after Stop.
   std::optional<QueuedFrame> Next();
-  /// Ends reading; frames read already are dropped.
+  /// Ends reading; drops frames that were read already.
   void Stop();
 
  private:
   void Run(Dataset& dataset, const std::vector<std::size_t>& indices, bool has_persistent_ids,
            const OnSkipped& on_skipped);
-  /// Waits for room. False once stopped.
+  /// Waits for space. False once stopped.
   bool Push(QueuedFrame frame) DHPMAP_EXCLUDES(mutex_);
 
   Mutex mutex_;
   CondVar changed_;
   std::deque<QueuedFrame> frames_ DHPMAP_GUARDED_BY(mutex_);
-  bool is_complete_ DHPMAP_GUARDED_BY(mutex_) = false;  ///< nothing more will come
+  bool is_complete_ DHPMAP_GUARDED_BY(mutex_) = false;  ///< no more frames follow
   bool is_stopped_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::thread thread_;
 };

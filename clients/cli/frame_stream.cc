@@ -11,12 +11,12 @@
 namespace dhpmap {
 namespace {
 
-/// Frames that are not known to be stored; beyond that the server is asked to store.
+/// Limit of frames not known to be stored; beyond it the server is asked to store.
 constexpr std::int64_t kKept_bytes = 256 << 20;
-/// A frame may take as long as it takes: who has had enough of it interrupts.
+/// No practical limit for a frame: the user can interrupt.
 constexpr double kPatience_s = 86'400;
 
-/// Those beyond what is stored.
+/// The frames after the last stored one.
 std::vector<std::size_t> Unstored(const std::vector<std::size_t>& indices, std::optional<std::int64_t> stored) {
   std::vector<std::size_t> left;
   std::copy_if(indices.begin(), indices.end(), std::back_inserter(left),
@@ -39,7 +39,7 @@ client::FeedOptions OptionsOf(const FrameSession& session) {
 
 client::Status StreamFrames(const std::shared_ptr<client::Caller>& caller, const FrameSession& session,
                             const std::vector<std::size_t>& indices, const FrameHooks& hooks) {
-  bool was_there = false, is_there = false;  // of the stream's thread
+  bool was_there = false, is_there = false;  // on the stream's thread
   const auto on_answer = [&](const v1::IntegrateFramesResponse& answer) {
     was_there = is_there = true;
     const bool is_of_frame = answer.outcome() != v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED;

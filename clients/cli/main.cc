@@ -12,14 +12,14 @@
 
 namespace {
 
-/// CLI11 takes "-.5" for an option, and "-0.5" for a number.
+/// CLI11 treats "-.5" as an option, but "-0.5" as a number.
 std::string NumberSpelledOut(const std::string& argument) {
   const bool is_number =
       argument.size() > 2 && argument.starts_with("-.") && std::isdigit(static_cast<unsigned char>(argument[2]));
   return is_number ? "-0" + argument.substr(1) : argument;
 }
 
-/// The program's arguments in the order that CLI11 wants: last first.
+/// The arguments in the order that CLI11 expects: last first.
 std::vector<std::string> Arguments(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   std::reverse(arguments.begin(), arguments.end());
@@ -27,7 +27,7 @@ std::vector<std::string> Arguments(int argc, char** argv) {
   return arguments;
 }
 
-/// For main, which knows the exit code of each.
+/// Throws errors with their exit codes, for main.
 void OpenOrThrow(dhpmap::Session& session) {
   const dhpmap::client::Status status = dhpmap::Open(session);
   if (status.ok()) return;
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   CLI::App app("Client of the DHP Map Server", "dhpmap");
   app.set_version_flag("--version", dhpmap::VersionOf("dhpmap"));
   app.failure_message(dhpmap::ExplainParseError);
-  app.fallthrough();  // --server and --json may stand anywhere
+  app.fallthrough();  // --server and --json are accepted anywhere
   app.require_subcommand(1);
   app.footer(dhpmap::ExitCodeHelp());
   app.add_option("--server", session.server, "Address of the server's gRPC door")
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--token-file", session.token_file, "File with your key, of mode 600")->type_name("FILE");
   app.parse_complete_callback([&app, &session] {
-    if (!app.got_subcommand("doctor")) OpenOrThrow(session);  // which says itself what is wrong with these
+    if (!app.got_subcommand("doctor")) OpenOrThrow(session);  // doctor reports these errors itself
   });
   app.add_option("--ca", session.ca,
                  "PEM file of who signed the server's certificate, or 'system' for those this system trusts: with TLS")

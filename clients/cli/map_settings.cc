@@ -45,7 +45,7 @@ std::string EnumName(std::string text) {
   return text;
 }
 
-/// False if the text is no value of the field's type.
+/// False if the text is not a value of the field's type.
 bool SetScalar(Message& message, const FieldDescriptor& field, const std::string& text) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   switch (field.cpp_type()) {

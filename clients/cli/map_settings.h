@@ -9,8 +9,8 @@
 
 namespace dhpmap {
 
-/// Applies "integration.max_range_m=4" and the like. INVALID_ARGUMENT for a key that is not there, with those that are,
-/// and for a value of another type; ranges are the server's business.
+/// Applies a setting such as "integration.max_range_m=4". INVALID_ARGUMENT for an unknown key, with a list of the known
+/// ones, and for a value of another type; the server checks ranges.
 Status ApplySetting(const std::string& key_value, v1::MapConfig& config);
 
 /// All keys, sorted.

@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// Frames name classes by id, so ids that mean something else would be mapped wrongly without a word.
+/// Frames refer to classes by id, so different classes would silently be mapped wrongly.
 Status CheckClasses(const v1::Map& map, const Dataset& dataset) {
   std::unordered_map<std::uint32_t, const v1::LabelClass*> by_id;
   for (const v1::LabelClass& label_class : map.label_classes()) by_id[label_class.id()] = &label_class;

@@ -14,20 +14,20 @@
 
 namespace dhpmap {
 
-/// What the user says of a map that is to be made.
+/// Options of a map to be created.
 struct NewMap {
   std::string name, display_name, preset;
   std::vector<std::string> settings;  ///< key=value
 };
 void AddNewMapOptions(CLI::App& command, NewMap& map);
 
-/// The request for `map`, with the preset and classes of `dataset` where there is one.
+/// The request for `map`, with the preset and classes of `dataset` unless that is null.
 Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset);
 
-/// `read_revision`: as it was at that revision; 0: as it is.
+/// `read_revision`: a past revision; 0: the current state.
 client::Result<v1::Map> GetMap(const Session& session, const std::string& name, std::int64_t read_revision = 0);
 
-/// Creates the map unless it is there. A map that is there must have the data set's classes, and cannot be configured.
+/// Creates the map unless it exists. An existing map must have the data set's classes, and takes no settings.
 ExitCode EnsureMap(const Session& session, const NewMap& map, const Dataset& dataset);
 
 }  // namespace dhpmap

@@ -11,10 +11,10 @@ namespace {
 
 constexpr int kLevels = 16;
 
-/// As the file has them: two bits a child.
+/// Values in the file: two bits a child.
 enum Kind : unsigned { kUnknown = 0, kFree = 1, kOccupied = 2, kInner = 3 };
 
-/// The bits of three numbers in turn, from x's lowest on: at every level they say which child.
+/// Interleaves the bits of three numbers, from x's lowest bit: each level's bits select a child.
 std::uint64_t Interleaved(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   std::uint64_t bits = 0;
   for (int level = 0; level < kLevels; ++level) {
@@ -24,7 +24,7 @@ std::uint64_t Interleaved(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return bits;
 }
 
-/// Writes nodes depth first: each inner node what its children are, then those of them that are inner nodes.
+/// Writes nodes depth first: for each inner node the kinds of its children, then its inner children.
 class TreeWriter {
  public:
   /// `cells`: ascending.
@@ -44,7 +44,7 @@ class TreeWriter {
       if (children[child] != kUnknown) ++num_nodes_;
     }
     const bool are_same = children[0] != kInner && std::count(children.begin(), children.end(), children[0]) == 8;
-    if (are_same && level < kLevels) {  // the root stays an inner node
+    if (are_same && level < kLevels) {  // the root must be an inner node
       bytes_.resize(place);
       num_nodes_ = num_before;
       return children[0];
@@ -63,7 +63,7 @@ class TreeWriter {
   std::size_t num_nodes_ = 0;  // without the root
 };
 
-/// As few digits as give the number back.
+/// The shortest text that parses to the same number.
 std::string Shortest(double value) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};

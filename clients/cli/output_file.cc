@@ -12,11 +12,11 @@
 namespace dhpmap {
 namespace {
 
-/// What is renamed before it is on the disk can be empty after a power cut.
+/// A file that is renamed before it is synced may be empty after a power cut.
 bool Sync(const std::string& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
-  const bool is_synced = fsync(descriptor) == 0 || errno == EINVAL;  // a device has nothing to sync
+  const bool is_synced = fsync(descriptor) == 0 || errno == EINVAL;  // some devices cannot be synced
   close(descriptor);
   return is_synced;
 }

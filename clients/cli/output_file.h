@@ -11,8 +11,8 @@
 
 namespace dhpmap {
 
-/// A file that is there only once it is complete: written beside its place, put there by Close, removed if that never
-/// comes. "-" is stdout.
+/// A file that appears only when complete: written under a temporary name next to its place, renamed by Close, removed
+/// without Close. "-" is stdout.
 class OutputFile {
  public:
   static Result<OutputFile> Open(const std::string& path);
@@ -22,7 +22,7 @@ class OutputFile {
 
   void Write(std::string_view data);
   [[nodiscard]] std::int64_t num_bytes() const { return num_bytes_; }
-  /// Says whether everything was written.
+  /// Returns whether everything was written.
   Status Close();
 
  private:

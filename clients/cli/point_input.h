@@ -9,8 +9,8 @@
 
 namespace dhpmap {
 
-/// Coordinates from text: three numbers a point, separated by blanks, commas or line breaks; '#' starts a comment.
-/// INVALID_ARGUMENT with the line for anything else, and if there are no points or a point is cut off.
+/// Reads coordinates from text: three numbers per point, separated by blanks, commas or line breaks; '#' starts a
+/// comment. INVALID_ARGUMENT, with the line, for other text, no points, or an incomplete point.
 Result<std::vector<float>> ReadPoints(std::istream& in);
 
 }  // namespace dhpmap

@@ -23,7 +23,7 @@ void SetMessage(const Eigen::Quaterniond& value, v1::Quaternion& q) {
   q.set_w(value.w());
 }
 
-/// About the vertical through `center_m`.
+/// Turns about the vertical through `center_m`.
 void TurnOnTheSpot(double yaw_deg, const Eigen::Vector3d& center_m, v1::Pose& pose) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(yaw_deg * M_PI / 180, Eigen::Vector3d::UnitZ()));
   const v1::Quaternion& q = pose.rotation();

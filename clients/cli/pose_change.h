@@ -13,21 +13,21 @@ class App;
 
 namespace dhpmap {
 
-/// What `edit move` and `edit clone` do to an object's pose (map_from_submap). All in the map frame, whose z is up.
+/// Changes of an object's pose (map_from_submap) by `edit move` and `edit clone`, in the map frame (z up).
 struct PoseChange {
   std::vector<double> to_m, by_m;  ///< X Y Z, or empty
   std::vector<double> rotation;    ///< X Y Z W, or empty
-  std::optional<double> yaw_deg;   ///< counter-clockwise as seen from above
+  std::optional<double> yaw_deg;   ///< counter-clockwise seen from above
   [[nodiscard]] bool is_given() const { return !to_m.empty() || !by_m.empty() || !rotation.empty() || yaw_deg; }
 };
 
-/// --to, --by, --rotation and --yaw, which write to `change`; it must outlive the command.
+/// Adds --to, --by, --rotation and --yaw, which write to `change`; it must outlive the command.
 void AddPoseFlags(CLI::App& command, PoseChange& change);
 
-/// Changes the pose of `submap`. `rotation` takes the place of the pose's, which turns the object about the origin of
-/// its frame, mostly the map's, wherever the object is; `yaw_deg` turns it on the spot, about the vertical through the
-/// centre of its bounding sphere. Then it is shifted. FAILED_PRECONDITION for a turn of what has no sphere, as nothing
-/// of it was observed.
+/// Changes the pose of `submap`. `rotation` replaces the pose's rotation, so the object turns about the origin of its
+/// frame, which is often the map's origin, far from the object. `yaw_deg` turns it in place, about the vertical through
+/// the centre of its bounding sphere. The translation follows. FAILED_PRECONDITION for a turn without a sphere, that
+/// is, without observed voxels.
 Status ChangePose(const PoseChange& change, v1::Submap& submap);
 
 }  // namespace dhpmap

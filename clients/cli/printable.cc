@@ -10,7 +10,7 @@
 namespace dhpmap {
 namespace {
 
-/// Of the character that well-formed UTF-8 begins with.
+/// Length of the character in well-formed UTF-8.
 std::size_t NumBytes(unsigned char first) { return first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4; }
 
 std::uint32_t CodeOf(std::string_view character) {
@@ -23,7 +23,7 @@ std::uint32_t CodeOf(std::string_view character) {
 
 bool IsWithin(std::uint32_t code, std::uint32_t from, std::uint32_t to) { return code >= from && code <= to; }
 
-/// Controls, ends of lines, and what turns the direction of writing.
+/// Control characters, line ends and direction marks.
 bool ActsOnATerminal(std::uint32_t code) {
   return code < 0x20 || IsWithin(code, 0x7F, 0x9F) || code == 0x061C || IsWithin(code, 0x200E, 0x200F) ||
          IsWithin(code, 0x2028, 0x202E) || IsWithin(code, 0x2066, 0x2069);

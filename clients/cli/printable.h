@@ -6,10 +6,9 @@
 
 namespace dhpmap {
 
-/// Text that somebody else has written, for a terminal: what would move the cursor, change colours, begin a line or
-/// turn the direction of writing is shown as what it is, "\x1b" or "\u202e", and so are bytes that are no UTF-8.
-/// Whatever comes from a map goes through it on its way to people; TextTable does so by itself, and JSON has escapes of
-/// its own.
+/// Makes untrusted text safe for a terminal: control characters, line ends and direction marks are escaped as "\x1b" or
+/// "\u202e", and so are bytes that are not UTF-8. Use it for all text from a map that is printed; TextTable does it
+/// itself, and JSON has its own escapes.
 std::string Printable(std::string_view text);
 
 }  // namespace dhpmap

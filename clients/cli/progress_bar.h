@@ -10,15 +10,15 @@
 
 namespace dhpmap {
 
-/// Progress on stderr: a bar where that is a terminal, else a line at every tenth of the way. Thread-safe.
+/// Progress on stderr: a bar on a terminal, else a line for every tenth. Thread-safe.
 class ProgressBar {
  public:
-  /// `unit`: what is counted; bytes are shown as such.
+  /// `unit`: of `total`; "bytes" are shown in suitable units.
   explicit ProgressBar(std::size_t total, std::string unit = "frames");
-  /// Takes the bar away.
+  /// Removes the bar.
   ~ProgressBar() = default;
   void Show(std::size_t done, const std::string& note);
-  /// A line of its own, above the bar.
+  /// Prints a line above the bar.
   void Print(const std::string& line);
   [[nodiscard]] double elapsed_s() const;
 

@@ -16,13 +16,13 @@ namespace dhpmap {
 
 struct Session;
 
-/// In which frame a query is asked, and of a map how new.
+/// The frame of a query, and the revision of the map.
 struct AskerFlags {
-  std::vector<double> frame;  ///< X Y Z YAW_DEG; empty: the map's
+  std::vector<double> frame;  ///< X Y Z YAW_DEG; empty: the map frame
   std::int64_t min_revision = 0;
-  std::int64_t read_revision = 0;  ///< 0: the present state
+  std::int64_t read_revision = 0;  ///< 0: the current state
 };
-/// What a query takes as the world, as far as the command line says so.
+/// The world of a query, as far as the command line defines it.
 struct WorldFlags {
   AskerFlags asker;
   std::vector<std::int64_t> excluded_submaps;
@@ -31,21 +31,21 @@ struct WorldFlags {
   bool vacated_is_free = false;
   bool include_absent = false;
 };
-/// The same of one that looks so far.
+/// The same for queries with a search distance.
 struct QueryFlags {
   WorldFlags world;
   double max_distance_m = 3;
 };
 
-/// --read-revision, which everything has that reads a map.
+/// Adds --read-revision, for every command that reads a map.
 void AddRevisionFlag(CLI::App& command, std::int64_t& read_revision);
 void AddAskerFlags(CLI::App& command, AskerFlags& flags);
 void AddWorldFlags(CLI::App& command, WorldFlags& flags);
 void AddPaddingFlag(CLI::App& command, double& padding_m);
 void AddQueryFlags(CLI::App& command, QueryFlags& flags);
-/// --unknown: occupied, report or free.
+/// Adds --unknown: occupied, report or free.
 void AddUnknownFlag(CLI::App& command, v1::QueryOptions::UnknownPolicy& policy);
-/// From three numbers.
+/// Sets the vector from three numbers.
 void SetVector(const double* xyz, v1::Vector3& vector);
 v1::QueryOptions ToProto(const AskerFlags& flags);
 v1::QueryOptions ToProto(const WorldFlags& flags, const std::string& map);

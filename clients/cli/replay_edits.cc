@@ -18,7 +18,7 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 using google::protobuf::Reflection;
 
-/// Fields with names of maps, objects and edits, in all requests that edit.
+/// Fields with names of maps, objects or edits in the editing requests.
 bool NamesSomething(const FieldDescriptor& field) {
   static const std::set<std::string> names = {"map", "name", "submap", "merged_submaps", "support", "edit"};
   return field.cpp_type() == FieldDescriptor::CPPTYPE_STRING && names.contains(field.name());
@@ -31,7 +31,7 @@ bool IsOfItsTime(const FieldDescriptor& field) {
 
 }  // namespace
 
-/// How to make edits of one RPC: the answer's revision.
+/// Makes edits of one RPC; returns the answer's revision.
 struct ReplayEdits::Method {
   std::function<client::Result<std::int64_t>(ReplayEdits&, const std::string& request)> make;
 };
@@ -98,7 +98,7 @@ client::Status ReplayEdits::KeepClear(const v1::RecordStart& start) {
   return caller_->Call(&v1::EditService::Stub::ApplyEdits, request, 0, client::Again::kNo).status();
 }
 
-/// Of the states between frames a record tells those that an edit has made, and those that one met.
+/// A record has only those revisions between frames that an edit made or met.
 std::int64_t ReplayEdits::RevisionHere(std::int64_t recorded) const {
   const auto edit = revisions_.lower_bound(recorded);
   if (edit == revisions_.end()) return 0;
@@ -106,7 +106,7 @@ std::int64_t ReplayEdits::RevisionHere(std::int64_t recorded) const {
   return edit->first == recorded + 1 ? edit->second - 1 : 0;
 }
 
-/// Names of the recorded map become those of this one; what was asked of the state of then goes.
+/// Replaces names of the recorded map by those of this one, and drops preconditions.
 void ReplayEdits::Translate(Message& request) const {
   const Reflection& reflection = *request.GetReflection();
   std::vector<const FieldDescriptor*> fields;

@@ -13,20 +13,20 @@
 
 namespace dhpmap {
 
-/// Makes recorded edits again in another map: each names that map, its objects by the same ids, and edits, and states
-/// to go back to, by the revisions that they have there. What a client asked of the state that it met (etag,
-/// expected_revision) and the id of its request are left out: what was recorded was made. Thread-compatible.
+/// Repeats recorded edits in another map. Translates names of the map; ids of objects stay. Translates references to
+/// edits and past states to the revisions of the other map. Drops preconditions (etag, expected_revision) and request
+/// ids, because the recorded edit succeeded. Thread-compatible.
 class ReplayEdits {
  public:
-  /// Names as "maps/kitchen".
+  /// Map names such as "maps/kitchen".
   ReplayEdits(std::shared_ptr<client::Caller> caller, std::string recorded_map, std::string map);
 
-  /// Whether the record says how it was made, by a request that this version knows.
+  /// Whether the record contains a request that this version knows.
   [[nodiscard]] static bool Knows(const v1::RecordedEdit& edit);
-  /// Of one that it knows; what the server says of it. DATA_LOSS for a request that cannot be read; FAILED_PRECONDITION
-  /// for one that goes back to a state which no edit of the record has made, or met.
+  /// Repeats an edit for which Knows is true; returns the server's status. DATA_LOSS for an unreadable request;
+  /// FAILED_PRECONDITION if it refers to a state that no edit of the record made or met.
   client::Status Make(const v1::RecordedEdit& edit);
-  /// What was kept clear when the record began.
+  /// Restores the regions that were kept clear when the record began.
   client::Status KeepClear(const v1::RecordStart& start);
 
  private:
@@ -35,12 +35,12 @@ class ReplayEdits {
   template <typename Request, typename Response, typename Stub>
   static Method MethodOf(grpc::Status (Stub::*call)(grpc::ClientContext*, const Request&, Response*));
   void Translate(google::protobuf::Message& request) const;
-  [[nodiscard]] std::int64_t RevisionHere(std::int64_t recorded) const;  ///< 0: not known
+  [[nodiscard]] std::int64_t RevisionHere(std::int64_t recorded) const;  ///< 0: unknown
   [[nodiscard]] std::string Translated(const std::string& name) const;
 
   const std::shared_ptr<client::Caller> caller_;
   const std::string recorded_map_, map_;
-  std::map<std::int64_t, std::int64_t> revisions_;  ///< here, of those that the record has
+  std::map<std::int64_t, std::int64_t> revisions_;  ///< from recorded revisions to those of this map
 };
 
 }  // namespace dhpmap

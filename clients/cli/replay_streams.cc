@@ -11,7 +11,7 @@ namespace dhpmap {
 namespace {
 
 constexpr int kMaxUnanswered = 4;
-/// A server takes 16 at once if nobody has told it otherwise, and others may feed other maps.
+/// A server accepts 16 at once by default, and other clients may feed other maps.
 constexpr std::size_t kMaxStreams = 8;
 
 }  // namespace
@@ -46,10 +46,10 @@ client::Status ReplayStreams::Send(const std::string& session, std::int64_t sequ
   request.set_map(is_new ? map_ : "");
   request.set_session(is_new ? session : "");
   request.set_take_over(false);
-  request.set_refuse_implausible(false);  // what was refused then is not sent
+  request.set_refuse_implausible(false);  // frames that were refused then are not sent
   request.set_sequence(sequence);
   ++stream.num_unanswered;
-  if (!stream.calls->Write(request)) return Hear(stream);  // it has ended, and says why
+  if (!stream.calls->Write(request)) return Hear(stream);  // the stream has ended with a status
   while (stream.num_unanswered >= kMaxUnanswered) {
     if (client::Status status = Hear(stream); !status.ok()) return status;
   }
@@ -81,7 +81,7 @@ client::Status ReplayStreams::Drain() {
   return {};
 }
 
-/// One without a name is alone; of others the longest unused go.
+/// A stream without a session must be the only one; of the others the least recently used is closed.
 client::Status ReplayStreams::MakeRoomFor(const std::string& session) {
   std::vector<std::string> in_the_way;
   for (const auto& [name, stream] : streams_) {

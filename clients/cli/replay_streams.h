@@ -11,21 +11,21 @@
 
 namespace dhpmap {
 
-/// Sends frames of several sessions to a map so that it takes them in the order of the calls: of one session several
-/// are on their way at once, of two sessions never. Thread-compatible.
+/// Sends frames of several sessions so that the map takes them in the order of the calls: several frames of one session
+/// may be in flight, but never frames of two sessions. Thread-compatible.
 class ReplayStreams {
  public:
   using OnAnswer = std::function<void(const v1::IntegrateFramesResponse&)>;
 
-  /// `on_answer`: for each frame, in order.
+  /// `on_answer`: called for each frame, in order.
   ReplayStreams(std::shared_ptr<client::Caller> caller, std::string map, OnAnswer on_answer);
   ~ReplayStreams();
 
-  /// OK, or why a stream has ended.
+  /// OK, or the error that ended a stream.
   client::Status Send(const std::string& session, std::int64_t sequence, v1::IntegrateFramesRequest request);
   /// Waits until everything sent is answered.
   client::Status Drain();
-  /// Drain; then ends all streams, so that everything is stored.
+  /// Drains, then ends all streams, so that everything is stored.
   client::Status Close();
 
  private:

@@ -10,7 +10,7 @@
 namespace dhpmap {
 namespace {
 
-/// Characters, not bytes, of UTF-8.
+/// Number of UTF-8 characters, not bytes.
 std::size_t Width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));

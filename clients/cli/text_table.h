@@ -7,7 +7,7 @@
 
 namespace dhpmap {
 
-/// Columns of text for people, each cell made Printable, aligned: numbers to the right, the rest to the left.
+/// A text table. Each cell is made Printable; numbers are right-aligned, other text left.
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
@@ -18,11 +18,11 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// With so many decimals.
+/// With this number of decimals.
 std::string Fixed(double value, int decimals);
 /// "12.3 MiB".
 std::string Bytes(double bytes);
-/// The name of an enumerator, as people read it.
+/// The name of an enumerator in lower case.
 std::string Lower(std::string text);
 
 }  // namespace dhpmap

@@ -12,8 +12,8 @@
 namespace dhpmap {
 namespace {
 
-/// Walks the words before the one to complete; PROGRAM, FUNCTION and LIST are put in. Words come from the tables below,
-/// or from the program, and are never expanded by the shell. Bash makes words of their own of ':' and '='.
+/// Walks the words before the one to complete; PROGRAM, FUNCTION and LIST are substituted. Words come from the tables
+/// below or from the program, and the shell never expands them. Bash splits words at ':' and '='.
 constexpr const char* kWalk = R"(FUNCTION() {
   local current=${COMP_WORDS[COMP_CWORD]} path= option= values= left=0 position=0 i item name word server=
   local commands options positionals
@@ -82,7 +82,7 @@ std::string FunctionName(const std::string& program) {
   return name;
 }
 
-/// "{thing,stuff}" is how a set of values describes itself.
+/// The set of values in an option's description: "{thing,stuff}".
 std::string SetOfValues(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t begin = type.find('{'), end = type.find('}');
@@ -91,21 +91,21 @@ std::string SetOfValues(const CLI::Option& option) {
   return values.find_first_of(" :'") == std::string::npos ? values : std::string();
 }
 
-/// How many words follow an option at most: none follow a flag.
+/// The maximum number of words after an option: 0 for a flag.
 int NumWords(const CLI::Option& option) {
   constexpr int kMost = 99;
   const int least = option.get_items_expected_min();
   return least > 0 && option.get_allow_extra_args() ? std::min(option.get_items_expected_max(), kMost) : least;
 }
 
-/// "--kind:1:thing,stuff": a name, how many words follow it, and which; "@" for those that the program lists.
+/// "--kind:1:thing,stuff": name, number of words after it, and their values; "@" for values that the program lists.
 std::string OptionEntry(const CLI::Option& option, const std::string& name, const ListedValues& listed) {
   const auto& names = option.get_lnames();
   const bool is_listed = std::find(names.begin(), names.end(), listed.name) != names.end();
   return name + ":" + std::to_string(NumWords(option)) + ":" + (is_listed ? "@" : SetOfValues(option));
 }
 
-/// One command's row: its commands, its options and those of the commands around it, its positionals.
+/// One command's row: its subcommands, its options and those of its parents, its positionals.
 std::string Row(const CLI::App& command, const std::string& path, const ListedValues& listed) {
   std::string commands, options, positionals;
   for (const CLI::App* sub : command.get_subcommands({})) {

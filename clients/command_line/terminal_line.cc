@@ -28,7 +28,7 @@ TerminalLine::TerminalLine() : is_terminal_(IsTerminal()) {}
 
 void TerminalLine::Draw(const std::string& text) {
   if (!is_terminal_) return;
-  // The last column stays free: many terminals go on to the next line once it is written to.
+  // The last column stays empty, because many terminals wrap after writing to it.
   std::fprintf(stderr, "\r\x1b[K%s", CutToWidth(text, TerminalWidth() - 1).c_str());
   std::fflush(stderr);
   is_drawn_ = true;

@@ -6,19 +6,18 @@
 
 namespace dhpmap {
 
-/// One line of stderr that is drawn over, for progress; only where that is a terminal that can do so.
-/// Thread-compatible.
+/// A line of stderr that is redrawn, for progress; only on a terminal that supports it. Thread-compatible.
 class TerminalLine {
  public:
   TerminalLine();
-  /// Takes the line away.
+  /// Removes the line.
   ~TerminalLine() { Clear(); }
   TerminalLine(const TerminalLine&) = delete;
   TerminalLine& operator=(const TerminalLine&) = delete;
 
-  /// False: whoever has something to say says it in lines of its own, and few of them.
+  /// False: print separate lines instead, and few of them.
   [[nodiscard]] bool is_terminal() const { return is_terminal_; }
-  /// In place of what was drawn before; cut to the width that the terminal has now, so that it stays one line.
+  /// Replaces the line; truncated to the current width of the terminal, so that it stays one line.
   void Draw(const std::string& text);
   void Clear();
 
@@ -27,7 +26,7 @@ class TerminalLine {
   bool is_drawn_ = false;
 };
 
-/// At most so many characters of UTF-8; what is cut off becomes "...".
+/// At most `width` characters of UTF-8; a truncated text ends with "...".
 std::string CutToWidth(const std::string& text, std::size_t width);
 
 }  // namespace dhpmap

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// The command that was reached before something was wrong.
+/// The last command that was parsed before the error.
 const CLI::App& Reached(const CLI::App& app) {
   const CLI::App* reached = &app;
   while (!reached->get_subcommands().empty()) reached = reached->get_subcommands().back();
@@ -29,7 +29,7 @@ std::vector<std::string> CommandNames(const CLI::App& command) {
   return names;
 }
 
-/// Those of the commands around it, too.
+/// Includes options of the parent commands.
 std::vector<std::string> OptionNames(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
@@ -46,7 +46,7 @@ std::string Listed(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Empty where nothing is misspelled.
+/// Empty if no word looks misspelled.
 std::string TellTypo(const CLI::App& app) {
   const CLI::App& command = Reached(app);
   const std::vector<std::string> left = app.remaining(/*recurse=*/true);

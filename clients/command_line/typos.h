@@ -10,8 +10,8 @@ class Error;
 
 namespace dhpmap {
 
-/// What to tell of a command line that `app` could not parse: a command or an option that is not there, with the one
-/// that is spelled like it, or what CLI11 says. For App::failure_message.
+/// The message for a command line that `app` could not parse: an unknown command or option with a suggestion, else the
+/// text of CLI11. For App::failure_message.
 std::string ExplainParseError(const CLI::App* app, const CLI::Error& error);
 
 }  // namespace dhpmap

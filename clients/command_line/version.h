@@ -5,7 +5,7 @@
 
 namespace dhpmap {
 
-/// "dhpmap-evaluate 1.2.3": what --version of a program prints.
+/// "dhpmap-evaluate 1.2.3": the output of --version.
 std::string VersionOf(const std::string& program);
 
 }  // namespace dhpmap

@@ -11,11 +11,12 @@
 
 namespace dhpmap {
 
-/// camera.txt, our addition to layouts whose intrinsics are fixed: `width height fx fy cx cy` in pixels, '#' comments.
-/// Looks in each of `folders` in turn; empty where none has one. INVALID_ARGUMENT for a file that is no usable camera.
+/// camera.txt, our addition to layouts with fixed intrinsics: `width height fx fy cx cy` in pixels; '#' starts a
+/// comment. Searches `folders` in order; empty if none has one. INVALID_ARGUMENT for an invalid camera.
 Result<std::optional<PinholeCamera>> FindCameraFile(std::span<const std::filesystem::path> folders);
 
-/// Width and height in a PNG file's header, without decoding it. INVALID_ARGUMENT, reason BAD_IMAGE, if it is no PNG.
+/// Width and height from the header of a PNG file, without decoding it. INVALID_ARGUMENT, reason BAD_IMAGE, for other
+/// files.
 Result<std::pair<int, int>> PngSize(std::span<const std::byte> file);
 
 }  // namespace dhpmap

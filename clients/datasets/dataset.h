@@ -17,27 +17,27 @@ namespace dhpmap {
 
 enum class LabelSource { kPredicted, kGroundTruth, kNone };
 
-/// A format that is told from the files there: see OpenDataset.
+/// Detect the format from the files: see OpenDataset.
 inline constexpr const char* kAnyFormat = "auto";
 
 struct DatasetOptions {
-  /// LiDAR scans with SemanticKITTI labels beside them: leave out points that are not labelled or move.
+  /// For LiDAR scans with SemanticKITTI labels: leave out points that are unlabelled or moving.
   bool drop_moving_points = true;
-  /// Where they stay: those that move have no label in the ground truth, as the others.
+  /// If moving points are kept: remove their labels from the ground truth.
   bool unlabel_moving_points = false;
 };
 
 /// An image file as it is on disk.
 struct ImageFile {
-  std::vector<std::byte> bytes;  ///< empty = there is none
+  std::vector<std::byte> bytes;  ///< empty: no image
   double scale_m = 0;            ///< metres a unit of integer depth
 };
 
-/// One frame as the data set has it, images not decoded, so that a client can pass them on unread.
+/// One frame of a data set, with undecoded images, so that a client can pass them on.
 struct DatasetFrame {
   std::string id;  ///< as in the file names
   std::int64_t stamp_ns = 0;
-  Eigen::Matrix4d T_map_sensor = Eigen::Matrix4d::Identity();  ///< as read; not yet checked to be rigid
+  Eigen::Matrix4d T_map_sensor = Eigen::Matrix4d::Identity();  ///< as read; not checked to be rigid
   std::vector<SegmentInfo> segments;
 
   struct DepthCamera {
@@ -46,8 +46,8 @@ struct DatasetFrame {
   };
   struct Lidar {
     std::vector<Eigen::Vector3f> points_m;
-    std::vector<std::uint32_t> segments;  ///< a point, or empty where they come from the image
-    // A camera beside the scanner (see LidarCamera); 0 x 0 without one.
+    std::vector<std::uint32_t> segments;  ///< one per point; empty if they come from the image
+    // A camera next to the scanner (see LidarCamera); 0 x 0 without one.
     Eigen::Matrix<double, 3, 4> P_image_lidar = Eigen::Matrix<double, 3, 4>::Zero();
     int image_width_px = 0;
     int image_height_px = 0;
@@ -61,15 +61,15 @@ struct DatasetFrame {
 class Dataset {
  public:
   virtual ~Dataset() = default;
-  /// What the segments' classes mean; empty for LabelSource::kNone.
+  /// The classes of the segments; empty for LabelSource::kNone.
   [[nodiscard]] virtual const std::vector<LabelClass>& label_classes() const = 0;
-  /// Preset of MapConfig that fits the sensor: "indoor" or "outdoor_lidar".
+  /// The preset of MapConfig for the sensor: "indoor" or "outdoor_lidar".
   [[nodiscard]] virtual std::string preset() const = 0;
-  /// Segment ids mean the same object in every frame (ground truth).
+  /// Whether a segment id means the same object in every frame (ground truth).
   [[nodiscard]] virtual bool has_persistent_ids() const = 0;
   [[nodiscard]] virtual std::size_t num_frames() const = 0;
-  /// An error means that this frame has to be skipped, and says why; its reason() is the kind: MISSING_FILE, BAD_POSE,
-  /// BAD_LABELS, BAD_SCAN, BAD_IMAGE or NO_MATCH (nothing recorded near enough in time).
+  /// On an error skip the frame. The error's reason() is its kind: MISSING_FILE, BAD_POSE, BAD_LABELS, BAD_SCAN,
+  /// BAD_IMAGE or NO_MATCH (no record close enough in time).
   virtual Result<DatasetFrame> Read(std::size_t index) = 0;
 };
 
@@ -77,7 +77,7 @@ class Dataset {
 Result<LabelSource> ParseLabelSource(const std::string& name);
 
 /// Decodes the images of a frame, for programs that map in process. Ids without a row in the frame's table count as
-/// unknown. INVALID_ARGUMENT for a pose that is not rigid and for images that cannot be decoded.
+/// unknown. INVALID_ARGUMENT for a pose that is not rigid, and for images that cannot be decoded.
 Result<PanopticFrame> DecodeFrame(const DatasetFrame& frame, bool has_persistent_ids);
 
 }  // namespace dhpmap

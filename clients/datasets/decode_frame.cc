@@ -6,7 +6,7 @@
 namespace dhpmap {
 namespace {
 
-/// Named errors, and an absent file is an empty image.
+/// Adds the name to errors; a missing file gives an empty image.
 template <typename Pixel, typename Decoder>
 Result<Image<Pixel>> DecodeIfThere(const ImageFile& file, const char* what, Decoder decode) {
   if (file.bytes.empty()) return Image<Pixel>();

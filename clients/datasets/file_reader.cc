@@ -38,7 +38,7 @@ std::vector<std::string> SplitAt(std::string_view line, char separator) {
   return cells;
 }
 
-/// Calls `visit` with every entry of a folder; unreadable folders have none.
+/// Calls `visit` for each entry of a folder; none if it is unreadable.
 template <typename Visitor>
 void ForEachEntry(const std::filesystem::path& directory, Visitor visit) {
   std::error_code error;
@@ -143,7 +143,7 @@ Result<std::int64_t> ParseSeconds(std::string_view cell) {
     decimals.resize(9, '0');
     return *ParseInteger(whole) * kNsPerSecond + *ParseInteger(decimals);
   }
-  DHPMAP_ASSIGN_OR_RETURN(const double seconds, ParseNumber(text));  // signs and exponents
+  DHPMAP_ASSIGN_OR_RETURN(const double seconds, ParseNumber(text));  // handles signs and exponents
   if (!(std::abs(seconds) < 9e9)) {
     return InvalidArgument(std::string("'").append(cell).append("' is not a time in seconds"));
   }

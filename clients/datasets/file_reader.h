@@ -13,30 +13,29 @@
 
 namespace dhpmap {
 
-// Whole small files, read with errors that name the file. NOT_FOUND with reason MISSING_FILE where there is none.
+// Readers of whole small files; errors name the file. NOT_FOUND, reason MISSING_FILE, for a missing one.
 
 Result<std::vector<std::byte>> ReadBytes(const std::filesystem::path& path);
-/// An image, not decoded; an empty file is INVALID_ARGUMENT with reason BAD_IMAGE.
+/// An image, not decoded; an empty file is INVALID_ARGUMENT, reason BAD_IMAGE.
 Result<std::vector<std::byte>> ReadImageFile(const std::filesystem::path& path);
-/// All of a file, or of what comes through a pipe; else NOT_FOUND with reason MISSING_FILE.
+/// The content of a file or pipe; NOT_FOUND, reason MISSING_FILE, on failure.
 Result<std::string> ReadText(const std::filesystem::path& path);
 
-/// One line cut at commas or, with ' ', at runs of blanks. Cells are trimmed.
+/// One line split at commas or, with ' ', at runs of blanks. Cells are trimmed.
 struct TextRow {
   int line = 0;  ///< from 1
   std::vector<std::string> cells;
 };
-/// Without blank lines and lines that start with '#'.
+/// Skips blank lines and lines that start with '#'.
 Result<std::vector<TextRow>> ReadRows(const std::filesystem::path& path, char separator);
 
-/// All numbers of a text file, whatever the line breaks. INVALID_ARGUMENT at the first word that is not a number.
+/// All numbers of a text file, regardless of line breaks. INVALID_ARGUMENT at the first word that is not a number.
 Result<std::vector<double>> ReadNumbers(const std::filesystem::path& path);
 
 /// A pose file: the first 16 numbers as a row-major 4x4 matrix. Errors have reason BAD_POSE.
 Result<Eigen::Matrix4d> ReadPose(const std::filesystem::path& path);
 
-// The whole cell must be the number. "nan" and "inf" are numbers: poses may hold them, and are refused where they are
-// used.
+// The whole cell must be a number. Accepts "nan" and "inf": poses may contain them, and their users refuse them.
 Result<double> ParseNumber(std::string_view cell);
 Result<std::int64_t> ParseInteger(std::string_view cell);
 /// Decimal seconds to nanoseconds, exact for up to nine decimals.
@@ -48,10 +47,10 @@ std::string ToLower(std::string text);
 /// Subfolders of `directory` whose name starts with `prefix`, by name; none if it cannot be read.
 std::vector<std::filesystem::path> FoldersWithPrefix(const std::filesystem::path& directory, std::string_view prefix);
 
-/// File names in `directory` that end with `suffix`, without it, by name; none if it cannot be read.
+/// Names of files in `directory` that end with `suffix`, without it, sorted; none if it cannot be read.
 std::vector<std::string> StemsWithSuffix(const std::filesystem::path& directory, std::string_view suffix);
 
-/// `message` with the file it is about in front.
+/// `message` prefixed with the file.
 Status BadFile(const std::filesystem::path& path, const std::string& message);
 
 }  // namespace dhpmap

@@ -14,14 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr PinholeCamera kFlatCamera{640, 480, 320.0, 320.0, 320.0, 240.0};
-constexpr double kIntegerDepthScale_m = 0.001;  // for re-encoded depth; the layout itself has float metres
+constexpr double kIntegerDepthScale_m = 0.001;  // for re-encoded depth; the original layout has metres as float
 
 struct Entry {
   std::string id;
   std::int64_t stamp_ns = 0;
 };
 
-/// The recording in or below `directory`; empty if there is none.
+/// The recording in `directory` or below it; empty if there is none.
 fs::path FindRun(const fs::path& directory) {
   std::error_code ignored;
   if (fs::exists(directory / "timestamps.csv", ignored)) return directory;
@@ -102,7 +102,7 @@ class FlatDataset : public Dataset {
   std::vector<Entry> entries_;
 };
 
-/// In the recording or beside it, as the layout has it.
+/// The table is in the recording or next to it.
 Result<LabelTable> ReadTable(const fs::path& run, LabelSource labels) {
   if (labels == LabelSource::kNone) return LabelTable();
   const bool is_predicted = labels == LabelSource::kPredicted;

@@ -12,7 +12,7 @@ namespace {
 
 using Matrix34 = Eigen::Matrix<double, 3, 4>;
 
-/// The last 12 cells of a row; the first may be a key.
+/// Parses the 12 cells from `first` on; cells before may be a key.
 Result<Matrix34> ParseMatrix(const TextRow& row, std::size_t first) {
   if (row.cells.size() != first + 12) return InvalidArgument("needs 12 numbers");
   Matrix34 matrix;

@@ -31,7 +31,7 @@ fs::path FindKittiSequence(const fs::path& directory) {
   return {};
 }
 
-/// One row of every persistent id in the scan.
+/// One segment for each persistent id in the scan.
 std::vector<SegmentInfo> SegmentsOf(const std::vector<std::uint32_t>& ids) {
   std::unordered_set<std::uint32_t> seen{0};
   std::vector<SegmentInfo> segments;
@@ -77,7 +77,8 @@ class KittiDataset : public Dataset {
   }
 
  private:
-  /// Line of poses.txt and times.txt: the scan's number, or its place where scans and lines are as many.
+  /// Index into poses.txt and times.txt: the scan's index if they have as many lines as there are scans, else its
+  /// number.
   [[nodiscard]] Result<std::size_t> RowOf(std::size_t index) const {
     const std::size_t num_rows = std::min(sequence_.poses.size(), sequence_.stamps_ns.size());
     if (num_rows == sequence_.ids.size()) return index;

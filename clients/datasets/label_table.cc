@@ -18,7 +18,7 @@ constexpr std::size_t kShortestCommonName = 3;
 class NamedCells {
  public:
   NamedCells(const std::vector<std::string>& header, const TextRow& row) : header_(header), row_(row) {}
-  /// Empty if there is no such column or nothing in it.
+  /// Empty if the column is missing or the cell is empty.
   [[nodiscard]] std::string Text(const char* column) const {
     const auto it = std::find(header_.begin(), header_.end(), column);
     const auto index = static_cast<std::size_t>(it - header_.begin());
@@ -63,7 +63,7 @@ Result<LabelRow> ParseRow(const NamedCells& cells, std::int64_t instance_id) {
   return row;
 }
 
-/// The value that most rows have; of equals the smallest.
+/// The most frequent value; the smallest on ties.
 template <typename Value, typename Getter>
 Value MostCommon(const std::vector<const LabelRow*>& rows, Getter get) {
   std::map<Value, int> votes;

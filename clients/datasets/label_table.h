@@ -13,28 +13,28 @@
 
 namespace dhpmap {
 
-/// One row of a label CSV (`InstanceID,ClassID,PanopticID,R,G,B,Name,Size`, any order, more columns ignored).
+/// One row of a label CSV (`InstanceID,ClassID,PanopticID,R,G,B,Name,Size`, in any order; other columns are ignored).
 struct LabelRow {
   std::int64_t instance_id = 0;  ///< pixel value (ground truth) or category id (predictions)
-  LabelClass label_class;        ///< the name is the row's own
-  bool is_unknown = false;       ///< named "unknown", or the "things" that panoptic COCO models leave over
+  LabelClass label_class;        ///< its name is that of the row
+  bool is_unknown = false;       ///< named "unknown", or the remaining "things" of panoptic COCO models
 };
 
-/// Whether the names are of classes ("chair"), or of instances ("ChairA_01_003") of which several share a ClassID.
+/// Whether names are of classes ("chair"), or of instances ("ChairA_01_003"), several of which share a ClassID.
 enum class RowNames { kClasses, kInstances };
 
-/// What ids mean. Immutable.
+/// The meaning of ids. Immutable.
 class LabelTable {
  public:
-  /// ClassID, R, G, B and Size may be missing: the class is then the InstanceID, the colour made up and the size
-  /// medium. Rows without InstanceID are skipped.
+  /// ClassID, R, G, B and Size are optional: by default the class is the InstanceID, the colour is from a palette, the
+  /// size medium. Skips rows without InstanceID.
   static Result<LabelTable> Read(const std::filesystem::path& path, RowNames names);
 
-  /// By class id, without the unknown ones; a class has the kind and size of most of its rows.
+  /// By class id, without unknown ones; a class has the most frequent kind and size of its rows.
   [[nodiscard]] const std::vector<LabelClass>& classes() const { return classes_; }
-  /// Null if there is no such row.
+  /// Null if no row has this id.
   [[nodiscard]] const LabelRow* Find(std::int64_t instance_id) const;
-  /// A segment a row: what ground truth says of its ids in every frame.
+  /// One segment for each row: the ground-truth meaning of ids in every frame.
   [[nodiscard]] std::vector<SegmentInfo> AllSegments() const;
 
  private:
@@ -43,14 +43,14 @@ class LabelTable {
   std::vector<LabelClass> classes_;
 };
 
-/// "ChairA_01_003" -> "Chair": drops trailing _NN groups, then one capital that tells models apart.
+/// "ChairA_01_003" -> "Chair": drops trailing _NN groups, then one capital, which identifies a model.
 std::string ClassNameOfInstance(const std::string& instance_name);
 
-/// What the names of a class's instances have in common: {"Door", "FoldingDoor"} -> "Door"; the first if that is
-/// nothing.
+/// The common part of the instance names of a class: {"Door", "FoldingDoor"} -> "Door"; the first name if there is
+/// none.
 std::string CommonName(const std::vector<std::string>& names);
 
-/// A colour for an id, well apart from those of its neighbours.
+/// A colour for an id, distinct from those of neighbouring ids.
 Color PaletteColor(std::uint32_t id);
 
 }  // namespace dhpmap

@@ -12,10 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One way in which a data set may lie on disk.
+/// A layout of data sets on disk.
 struct Layout {
   const char* name;
-  const char* mark;  // what tells it
+  const char* mark;  // description of the file that identifies it
   bool (*is_here)(const fs::path& directory);
   Result<std::unique_ptr<Dataset>> (*open)(const fs::path& directory, LabelSource labels, const DatasetOptions&);
 };
@@ -25,7 +25,7 @@ Result<std::unique_ptr<Dataset>> WithoutOptions(const fs::path& directory, Label
   return Open(directory, labels);
 }
 
-/// Asked in this order.
+/// Tried in this order.
 constexpr std::array kLayouts = {
     Layout{"flat", "timestamps.csv (here or in run1/)", LooksFlat, WithoutOptions<OpenFlat>},
     Layout{"kitti", "velodyne/ (SemanticKITTI; here or in sequences/NN/)", LooksLikeKitti, OpenKitti},
@@ -59,7 +59,7 @@ std::vector<std::string> DatasetFormats() {
 Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& directory, const std::string& format,
                                              LabelSource labels, const DatasetOptions& options) {
   fs::path path = fs::path(directory).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();  // "house/" -> "house", so that its parent is above it
+  if (!path.has_filename()) path = path.parent_path();  // "house/" -> "house": its parent is above it
   std::error_code error;
   if (!fs::is_directory(path, error)) return NotFound("there is no folder " + directory);
   DHPMAP_ASSIGN_OR_RETURN(const Layout* layout, FindLayout(format, path));

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// -1 if there is no such whole number, not negative.
+/// A non-negative integer; -1 if the key is missing or has another value.
 std::int64_t WholeNumber(const Json& object, const char* key) {
   const auto it = object.find(key);
   return it != object.end() && it->is_number_unsigned() ? it->get<std::int64_t>() : -1;
@@ -26,7 +26,7 @@ std::optional<float> ScoreOf(const Json& object) {
   return std::clamp(it->get<float>(), 0.0f, 1.0f);
 }
 
-/// The most that a frame may say, the likeliest ones.
+/// The most likely scores, up to the limit of a frame.
 std::vector<ClassScore> Likeliest(const std::map<ClassId, float>& by_class) {
   std::vector<ClassScore> scores;
   scores.reserve(by_class.size());
@@ -38,7 +38,7 @@ std::vector<ClassScore> Likeliest(const std::map<ClassId, float>& by_class) {
   return scores;
 }
 
-/// "class_scores": {"category_id": score, ...}; unknown categories say nothing, those of one class add up.
+/// "class_scores": {"category_id": score, ...}; unknown categories are ignored, scores of the same class are added.
 Result<std::vector<ClassScore>> ClassScoresOf(const Json& object, const LabelTable& table) {
   std::map<ClassId, float> by_class;
   const auto it = object.find("class_scores");

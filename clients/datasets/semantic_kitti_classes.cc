@@ -21,7 +21,7 @@ constexpr SizeClass kS = SizeClass::kSmall;
 constexpr SizeClass kM = SizeClass::kMedium;
 constexpr SizeClass kL = SizeClass::kLarge;
 
-// Names and kinds as the data set defines them; sizes are ours.
+// Names and kinds as in the data set; sizes are ours.
 constexpr Row kRows[] = {
     {10, "car", kThing, kM},
     {11, "bicycle", kThing, kS},

@@ -8,10 +8,10 @@
 
 namespace dhpmap {
 
-/// The classes of SemanticKITTI's .label files by their ids there, without "unlabeled" (0) and "outlier" (1).
+/// The classes of SemanticKITTI's .label files by their original ids, without "unlabeled" (0) and "outlier" (1).
 const std::vector<LabelClass>& SemanticKittiClasses();
 
-/// A word of a .label file: class in the low 16 bits, instance in the high ones.
+/// A word of a .label file: class in the low 16 bits, instance in the high 16 bits.
 struct KittiLabel {
   std::uint16_t class_id = 0;
   std::uint16_t instance = 0;
@@ -21,8 +21,8 @@ struct KittiLabel {
   [[nodiscard]] bool is_moving() const { return class_id >= 252; }
 };
 
-/// The id of the word's object in all scans: the word itself for things, the class for stuff; 0 (no label) for what is
-/// not labelled, of an unknown class, or a thing of which nobody said which one it is.
+/// The id of a word's object in all scans: the word itself for things, the class for stuff. 0 (no label) for unlabelled
+/// points, unknown classes, and things without an instance.
 std::uint32_t PersistentId(std::uint32_t word);
 
 }  // namespace dhpmap

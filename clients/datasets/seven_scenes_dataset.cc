@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr PinholeCamera kKinect{640, 480, 585.0, 585.0, 320.0, 240.0};
 constexpr double kSevenScenesDepthScale_m = 0.001;
-constexpr double kFramePeriod_ns = 1e9 / 30;  // the layout has no times
+constexpr double kFramePeriod_ns = 1e9 / 30;  // the layout has no timestamps
 constexpr std::int64_t kMaxFrameNumber = 1'000'000'000;
 constexpr const char* kDepthEnding = ".depth.png";
 
@@ -31,7 +31,7 @@ fs::path FindScene(const fs::path& directory) {
   return {};
 }
 
-/// A 3x3 matrix K, as some releases have it beside the sequences.
+/// A 3x3 matrix K, which some releases include.
 Result<std::optional<PinholeCamera>> FindIntrinsics(std::span<const fs::path> folders) {
   for (const fs::path& folder : folders) {
     const fs::path path = folder / "camera-intrinsics.txt";

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr double kTumDepthScale_m = 1.0 / 5000.0;
 
-/// Colour intrinsics that the data set gives for each of its three Kinects; the depth is registered to the colour.
+/// The data set's colour intrinsics of each of its three Kinects; depth is registered to colour.
 PinholeCamera CameraByName(const std::string& name) {
   if (name.find("freiburg1") != std::string::npos) return {640, 480, 517.3, 516.5, 318.6, 255.3};
   if (name.find("freiburg2") != std::string::npos) return {640, 480, 520.9, 521.0, 325.1, 249.7};

@@ -13,7 +13,7 @@
 
 namespace dhpmap {
 
-/// How far apart in time two records may be and still belong together.
+/// Largest time difference of records that belong together.
 inline constexpr std::int64_t kTumMaxGap_ns = 20'000'000;
 
 /// A line of rgb.txt or depth.txt.
@@ -21,17 +21,17 @@ struct TumImage {
   std::int64_t stamp_ns = 0;
   std::string file;  ///< relative to the recording
 };
-/// By time.
+/// Sorted by time.
 Result<std::vector<TumImage>> ReadTumImages(const std::filesystem::path& path);
-/// The one nearest in time within kTumMaxGap_ns; null if there is none.
+/// The nearest image within kTumMaxGap_ns; null if there is none.
 const TumImage* NearestImage(const std::vector<TumImage>& images, std::int64_t stamp_ns);
 
 /// groundtruth.txt: the camera's pose over time.
 class TumTrack {
  public:
   static Result<TumTrack> Read(const std::filesystem::path& path);
-  /// Interpolated where the neighbours are within 0.1 s of each other, else the nearest within kTumMaxGap_ns, else
-  /// none.
+  /// Interpolated between neighbours that are within 0.1 s of each other, else the nearest pose within kTumMaxGap_ns,
+  /// else nothing.
   [[nodiscard]] std::optional<Eigen::Matrix4d> PoseAt(std::int64_t stamp_ns) const;
 
  private:

@@ -36,7 +36,7 @@ std::string Grid(const ClassChart& chart, std::size_t panel, double bottom) {
   return svg;
 }
 
-/// What all systems span, and a dot for each.
+/// The range of all systems as a line, and a dot for each.
 std::string Dots(const ClassChart& chart, const ChartRow& row, std::size_t panel, double y) {
   double low = 1, high = 0;
   std::string dots;

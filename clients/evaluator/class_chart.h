@@ -7,20 +7,20 @@
 
 namespace dhpmap::evaluator {
 
-/// One class: a value of each system for each measure, 0..1; none where it has none.
+/// One class: for each measure the value of each system, 0..1; empty if it has none.
 struct ChartRow {
   std::string name;
   std::vector<std::vector<std::optional<double>>> values;  ///< [measure][system]
 };
 
 struct ClassChart {
-  std::vector<std::string> measures;  ///< "PQ", "IoU": a panel each, side by side
-  std::vector<std::string> systems;   ///< the last lies on top of the others
-  std::vector<std::string> colors;    ///< of the systems, as CSS has them
-  std::vector<ChartRow> rows;         ///< from the top
+  std::vector<std::string> measures;  ///< "PQ", "IoU": one panel each, side by side
+  std::vector<std::string> systems;   ///< the last is drawn on top
+  std::vector<std::string> colors;    ///< of the systems, in CSS syntax
+  std::vector<ChartRow> rows;         ///< from top to bottom
 };
 
-/// An <svg>: a line a class, a dot a system; dots say what they are when one points at them.
+/// An <svg>: a line for each class, a dot for each system; dots have tooltips.
 std::string SvgOf(const ClassChart& chart);
 
 }  // namespace dhpmap::evaluator

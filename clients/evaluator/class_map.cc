@@ -50,7 +50,7 @@ bool IsThere(const fs::path& file) {
   return fs::is_regular_file(file, ignored);
 }
 
-/// Empty if there is none.
+/// Empty if no file exists.
 fs::path FindFile(const fs::path& directory) {
   std::error_code ignored;
   fs::path folder = fs::weakly_canonical(directory, ignored);

@@ -12,7 +12,7 @@
 
 namespace dhpmap::evaluator {
 
-/// A class that is judged, and the ids that stand for it.
+/// An evaluated class, and the ids that stand for it.
 struct EvaluatedClass {
   std::string name;
   bool is_thing = false;
@@ -21,21 +21,20 @@ struct EvaluatedClass {
   bool operator==(const EvaluatedClass&) const = default;
 };
 
-/// Which classes of the ground truth and of the prediction are the same. A class is named by its place in classes().
-/// Immutable once made.
+/// Maps classes of the ground truth and of the prediction to evaluated classes, given by their index in classes().
+/// Immutable.
 class ClassMap {
  public:
-  /// What an id stands for that no evaluated class lists: ground truth of it is not judged, a prediction of it is
-  /// wrong.
+  /// For ids that no evaluated class lists: such ground truth is not judged, such a prediction is wrong.
   static constexpr std::int16_t kNone = -1;
 
   ClassMap() = default;
-  /// INVALID_ARGUMENT for no class at all, above 30,000, or an id in two classes.
+  /// INVALID_ARGUMENT for no class, more than 30,000, or an id in two classes.
   static Result<ClassMap> Create(std::vector<EvaluatedClass> classes);
-  /// Each class of the ground truth is the class of the same id in the prediction.
+  /// Each class of the ground truth equals the class with the same id in the prediction.
   static Result<ClassMap> Same(const std::vector<LabelClass>& truth);
-  /// A file `ClassID,Name,Thing,SemanticKITTI`: the predicted class ClassID is right where the ground truth has one of
-  /// the blank-separated ids of the last column; classes without any are not judged. Errors name file and line.
+  /// Reads a file `ClassID,Name,Thing,SemanticKITTI`: the predicted class ClassID is right where the ground truth has
+  /// one of the blank-separated ids of the last column. Classes without ids are not judged. Errors name file and line.
   static Result<ClassMap> Read(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<EvaluatedClass>& classes() const { return classes_; }
@@ -53,9 +52,9 @@ class ClassMap {
   Index of_truth_, of_prediction_;
 };
 
-/// The map of a data set: ids agree if the prediction has every class of the ground truth by id and name; else
-/// evaluation_classes.csv in `directory`, a sequence below it or a folder above it; else ids agree if the prediction
-/// has most of the ground truth's ids; else FAILED_PRECONDITION.
+/// Finds the map of a data set. Ids agree if the prediction has every class of the ground truth with the same id and
+/// name. Else reads evaluation_classes.csv in `directory`, a sequence below it or a folder above it. Else ids agree if
+/// the prediction has most ids of the ground truth; else FAILED_PRECONDITION.
 Result<ClassMap> FindClassMap(const std::filesystem::path& directory, const std::vector<LabelClass>& truth,
                               const std::vector<LabelClass>& predicted);
 

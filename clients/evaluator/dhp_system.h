@@ -8,16 +8,16 @@
 
 namespace dhpmap::evaluator {
 
-/// Our own pipeline with the configuration as it is. Its surface is one field if the refinement makes positions
-/// exclusive, else that of each submap.
+/// Our pipeline with the given configuration. Its surface is one field if the refinement makes positions exclusive,
+/// else the surfaces of the submaps.
 std::unique_ptr<MappingSystem> MakeDhp(std::string name, const SystemSetup& setup);
 
-/// The same with one field whatever the refinement: each place with the object that was seen there most often, so that
-/// what is not refined is not held to surfaces that overlap.
+/// The same, always with one field: each place has the object seen there most often. So a map without refinement is not
+/// penalised for overlapping surfaces.
 std::unique_ptr<MappingSystem> MakeDhpOfOneField(std::string name, const SystemSetup& setup);
 
-/// What the ground truth's labels say: our pipeline that keeps every object that has a single point and refines
-/// nothing; its surface is one field, each place with the object that was seen there most often.
+/// The map of the ground truth's labels: our pipeline, keeping every object with at least one point, without
+/// refinement. Its surface is one field, with the object seen most often at each place.
 std::unique_ptr<MappingSystem> MakeTruthMap(SystemSetup setup);
 
 }  // namespace dhpmap::evaluator

@@ -11,35 +11,34 @@
 
 namespace dhpmap::evaluator {
 
-/// Label of an element, in evaluated classes.
+/// Label of an element, as an evaluated class.
 struct ElementLabel {
   std::int16_t class_index = ClassMap::kNone;
-  std::uint32_t instance = 0;  ///< 0 for stuff: a class is one segment
+  std::uint32_t instance = 0;  ///< 0 for stuff, whose class is one segment
   constexpr auto operator<=>(const ElementLabel&) const = default;
 };
 
-/// What the scores are counted over: a sample of the ground truth's surface with what it is and what a system says.
+/// The unit that scores count: a sample of the ground truth's surface with its true and predicted label.
 struct Element {
-  ElementLabel truth;      ///< class kNone: not judged, ignored everywhere
-  ElementLabel predicted;  ///< class kNone: missing, or a class that is not evaluated
+  ElementLabel truth;      ///< class kNone: not judged, always ignored
+  ElementLabel predicted;  ///< class kNone: missing, or not an evaluated class
 };
 
-/// The ground truth's labels of its samples.
+/// The true labels of the ground truth's samples.
 std::vector<ElementLabel> TruthLabels(const SurfaceSamples& truth, const ClassMap& classes);
 
-/// What a prediction says, place by place: kNone where the class is 0 or not evaluated. `use_instances` false: of each
-/// class, all is one instance.
+/// The labels of predictions, one by one: kNone for class 0 and classes that are not evaluated. `use_instances` false:
+/// each class is one instance.
 std::vector<ElementLabel> LabelsOf(std::span<const std::uint16_t> predicted_classes,
                                    std::span<const std::uint32_t> predicted_instances, const ClassMap& classes,
                                    bool use_instances);
 
-/// The prediction's label of each sample of the ground truth, whose nearest predicted samples are `neighbours`: that of
-/// the neighbour; kNone if it is farther than d_match_m or does not say. `use_instances` false: of each class, all is
-/// one instance.
+/// The predicted label of each sample of the ground truth, that is, of its nearest predicted sample in `neighbours`;
+/// kNone if that is farther than d_match_m or has no label. `use_instances` false: each class is one instance.
 std::vector<ElementLabel> PredictedLabels(std::span<const Neighbour> neighbours, const SurfaceSamples& predicted,
                                           const ClassMap& classes, double d_match_m, bool use_instances);
 
-/// Pairs them up; both of the same length.
+/// Pairs the labels; both must have the same length.
 std::vector<Element> Pair(const std::vector<ElementLabel>& truth, const std::vector<ElementLabel>& predicted);
 
 }  // namespace dhpmap::evaluator

@@ -16,11 +16,12 @@
 
 namespace dhpmap::evaluator {
 
-/// All numbers that decide a score; printed and stored with it.
+/// All parameters that affect scores; printed and stored with them.
 struct Protocol {
   double spacing_m = 0.02;         ///< of the samples on both surfaces
-  double d_match_m = 0.08;         ///< a sample of the ground truth takes no label from farther away
-  std::int64_t min_elements = 30;  ///< smaller segments that match nothing count nowhere
+  double d_match_m = 0.08;         ///< farthest predicted sample from which a sample of the ground truth takes its
+                                   ///< label
+  std::int64_t min_elements = 30;  ///< smaller segments without a match do not count
   std::vector<double> precision_ious{0.3, 0.4, 0.5};
   GeometryLimits geometry;
 };
@@ -28,27 +29,27 @@ struct Protocol {
 /// Samples every half voxel, labels from up to two voxels away, F-score at one voxel but at least 5 cm.
 Protocol ProtocolFor(double voxel_size_m);
 
-/// The same for a truth of one element a cell: segments are ignored below the same area.
+/// The same for a ground truth of one element per cell: segments are ignored below the same area.
 Protocol ProtocolForElements(Protocol protocol, double cell_m);
 
-/// A data set's truth, which systems are compared with. Refers to itself: neither copied nor moved.
+/// The ground truth of a data set. Refers to its own members: neither copied nor moved.
 class Truth {
  public:
-  /// The surface of a map.
+  /// From the surface of a map.
   Truth(Mesh mesh, ClassMap classes, Protocol protocol);
-  /// Points alone (see TruthPoints): there is no surface between them to measure to.
+  /// From points alone (see TruthPoints): there is no surface between them to measure distances to.
   Truth(SurfaceSamples points, ClassMap classes, Protocol protocol);
   Truth(const Truth&) = delete;
   Truth& operator=(const Truth&) = delete;
 
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< empty if the truth is points
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< empty if the truth consists of points
   [[nodiscard]] const SurfaceSamples& samples() const { return samples_; }
   [[nodiscard]] const std::vector<ElementLabel>& labels() const { return labels_; }
   [[nodiscard]] const NearestSample& nearest() const { return nearest_; }
   [[nodiscard]] const ClassMap& classes() const { return classes_; }
   [[nodiscard]] const Protocol& protocol() const { return protocol_; }
 
-  /// How many elements false surface of a sample counts for, the same for all systems; 1 unless it is set.
+  /// The number of elements that a false sample counts for, equal for all systems; 1 by default.
   [[nodiscard]] double elements_a_sample() const { return elements_a_sample_; }
   void set_elements_a_sample(double elements) { elements_a_sample_ = elements; }
 
@@ -62,22 +63,21 @@ class Truth {
   double elements_a_sample_ = 1;
 };
 
-/// How many elements of the truth there are for a sample of a surface, where both are within protocol().d_match_m of
-/// each other.
+/// The number of elements of the truth per sample of a surface, over those within protocol().d_match_m of each other.
 double ElementsASample(const Truth& truth, const SurfaceSamples& surface, ThreadPool& pool);
 
-/// Label scores when surfaces where there are none are wrong, too.
+/// Label scores that also penalise false surfaces.
 struct WithFalseSurface {
-  std::int64_t num_false = 0;  ///< elements that they count for (see FalseSurface)
+  std::int64_t num_false = 0;  ///< number of elements that they count for (see FalseSurface)
   double pq = 0, mean_iou = 0;
 };
 
-/// Everything that is measured of one system on one data set.
+/// All scores of one system on one data set.
 struct Scores {
   std::string system;
   bool has_instances = true;
   SemanticScore semantics;
-  PanopticScore panoptics;              ///< a system without instances: of each class, all is one segment
+  PanopticScore panoptics;              ///< for a system without instances each class is one segment
   std::vector<PrecisionAt> precisions;  ///< empty for a system without instances
   WithFalseSurface with_false;
   GeometryScore geometry;
@@ -88,7 +88,7 @@ struct Scores {
 Scores Evaluate(const Truth& truth, const LabelledSurface& surface, bool has_instances, ThreadPool& pool,
                 std::vector<ElementLabel>* labels);
 
-/// The same of what a system says of the truth's samples when it is asked there; geometry is not judged.
+/// The same for the system's answers at the truth's samples; without geometry.
 Scores EvaluateAsked(const Truth& truth, const PointLabels& asked,
                      const std::map<std::uint32_t, float>& instance_scores, bool has_instances);
 

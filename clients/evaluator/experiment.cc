@@ -28,7 +28,7 @@ Status MapRecording(MappingSystem& system, Recording& recording, const Experimen
   return Status::Ok();
 }
 
-/// What the sensor measured, whether or not somebody has labelled it: where a system has a surface, it was there.
+/// All measured points, labelled or not: a system's surface near one is not false.
 Result<TruthPoints> MeasuredPoints(const ExperimentOptions& options, const IntegrationConfig& config) {
   DHPMAP_ASSIGN_OR_RETURN(Recording recording,
                           Recording::OpenMeasured(options.directory, options.format, options.num_frames));
@@ -85,7 +85,7 @@ Result<Experiment> RunExperiment(const ExperimentOptions& options, const SystemV
   ThreadPool pool(options.num_threads);
   Truth truth_points(points.Elements(), experiment.classes, experiment.points_protocol);
   truth_points.set_elements_a_sample(ElementsASample(truth_points, truth.samples(), pool));
-  points = TruthPoints(experiment.config.integration);  // its memory
+  points = TruthPoints(experiment.config.integration);  // frees its memory
   experiment.num_truth_points = static_cast<std::int64_t>(truth_points.samples().size());
 
   SystemSetup setup{experiment.config, nullptr, options.num_threads};

@@ -7,8 +7,8 @@
 
 namespace dhpmap::evaluator {
 
-/// Everything of an experiment: data set, every key of the configuration, thresholds, class map, and per system the
-/// scores overall and per class that the ground truth or the prediction has. Units in the names of the keys.
+/// An experiment: data set, all configuration keys, thresholds, class map, and for each system the overall scores and
+/// those of each class that the ground truth or the prediction has. Keys contain units.
 nlohmann::json ToJson(const Experiment& experiment);
 
 }  // namespace dhpmap::evaluator

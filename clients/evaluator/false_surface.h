@@ -13,9 +13,9 @@ namespace dhpmap::evaluator {
 
 using LabelCounts = std::map<ElementLabel, std::int64_t>;
 
-/// What a system says of surfaces that are not there: of its samples, `labels`, those whose nearest element of the
-/// truth (`from_predicted`) is farther than `d_match_m`, each for so many elements. Labels that are not evaluated are
-/// left out.
+/// Counts the false surface of a system: its samples whose nearest element of the truth (`from_predicted`) is farther
+/// than `d_match_m`, each as `elements_a_sample` elements. `labels` are those of the samples; labels that are not
+/// evaluated are ignored.
 LabelCounts FalseSurface(std::span<const Neighbour> from_predicted, const std::vector<ElementLabel>& labels,
                          double d_match_m, double elements_a_sample);
 

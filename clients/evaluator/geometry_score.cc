@@ -43,7 +43,7 @@ GeometryScore ScoreGeometry(std::span<const Neighbour> from_predicted, std::span
     sum_m += n.distance_m;
     ++count;
   }
-  // A prediction with nothing near the truth is not accurate.
+  // Without predicted samples near the truth, use the worst value.
   score.accuracy_m = count > 0 ? sum_m / static_cast<double>(count) : limits.accuracy_truncation_m;
   sum_m = 0;
   for (const Neighbour& n : from_truth) {

@@ -46,7 +46,7 @@ std::string HtmlOfTable(std::string_view markdown) {
   while (std::getline(lines, line)) rows.push_back(CellsOf(line));
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const std::vector<std::string>& cells = rows[row];
-    if (row == 0 && rows.size() > 1) {  // below it, ":" at the end of a column's rule: to the right
+    if (row == 0 && rows.size() > 1) {  // in the rule below the header, ":" at the end means right-aligned
       for (const std::string& rule : rows[1]) is_right.push_back(rule.ends_with(':'));
     }
     if (row == 1) continue;

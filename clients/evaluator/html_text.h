@@ -8,11 +8,11 @@
 
 namespace dhpmap::evaluator {
 
-/// What HTML takes for markup, as text: also within attributes in double quotes.
+/// Escapes characters with a meaning in HTML, also for attributes in double quotes.
 std::string Escaped(std::string_view text);
-/// <table> of a table in Markdown whose columns are aligned as MarkdownTable does.
+/// An HTML <table> from a Markdown table, whose columns are aligned as by MarkdownTable.
 std::string HtmlOfTable(std::string_view markdown);
-/// An <img> that has its pixels in itself.
+/// An <img> with embedded pixels.
 std::string InlineImage(const Picture& picture, std::string_view what);
 std::string Base64(std::string_view bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap-evaluate: how good maps are, ours and those of other systems, against the ground truth of a data set.
+// dhpmap-evaluate: scores maps of our system and of baselines against the ground truth of data sets.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 

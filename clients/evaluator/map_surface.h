@@ -7,16 +7,15 @@
 namespace dhpmap::evaluator {
 
 enum class SurfaceKind {
-  /// Each submap is meshed by itself: where several hold a place, so many surfaces say something about it.
+  /// Each submap is meshed separately: places held by several submaps have several surfaces.
   kEachSubmap,
-  /// The submaps on the map's grid are meshed as one field (see ExtractMapMesh), so that there are no gaps where a
-  /// cell's corners are different submaps'. Submaps on grids of their own are meshed by themselves.
+  /// The submaps on the map's grid are meshed as one field (see ExtractMapMesh), so there are no gaps where the corners
+  /// of a cell belong to different submaps. Submaps with their own grid are meshed separately.
   kOneField,
 };
 
-/// The surface of a map of submaps, labelled with ids of submaps and their classes (what a map keeps of an object when
-/// the labels of voxels are dropped); the unknown submap says neither. An instance's score is its class confidence
-/// times its instance confidence.
+/// The surface of a map, labelled with the ids and classes of submaps (which remain when a map drops the voxels'
+/// labels). The unknown submap has neither. An instance's score is its class confidence times its instance confidence.
 LabelledSurface SurfaceOf(const Map& map, SurfaceKind kind);
 
 }  // namespace dhpmap::evaluator

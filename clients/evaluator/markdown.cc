@@ -21,7 +21,7 @@ std::string MeanPerFrame_ms(const SystemTimes& times, double seconds) {
   return times.num_frames == 0 ? "-" : Decimals(1000 * seconds / static_cast<double>(times.num_frames), 1);
 }
 
-/// Places of the classes that the ground truth has.
+/// Indices of the classes that the ground truth has.
 std::vector<std::size_t> PresentClasses(const Experiment& experiment) {
   std::vector<std::size_t> present;
   if (experiment.systems.empty()) return present;
@@ -129,7 +129,7 @@ std::vector<std::string> LabelCells(const Scores& s, const Protocol& protocol) {
   return row;
 }
 
-/// `has_all_surface`: also with what false surface costs.
+/// `has_all_surface`: adds scores that penalise false surface.
 std::string TableOf(const std::vector<Scores>& systems, const Protocol& protocol, bool has_all_surface) {
   std::vector<std::string> header = LabelHeader(protocol);
   if (has_all_surface) header.insert(header.end(), {"PQ, all surface", "mIoU, all surface"});

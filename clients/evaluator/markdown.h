@@ -9,7 +9,7 @@
 
 namespace dhpmap::evaluator {
 
-/// A Markdown table: the first columns to the left, the others to the right, padded so that it reads as plain text too.
+/// A Markdown table, readable as plain text: the first `num_left` columns are left-aligned, the others right-aligned.
 class MarkdownTable {
  public:
   explicit MarkdownTable(std::vector<std::string> header, std::size_t num_left = 1)
@@ -22,18 +22,18 @@ class MarkdownTable {
   std::size_t num_left_;
 };
 
-/// With so many decimals; "-" for what is not finite.
+/// With this number of decimals; "-" for NaN and infinity.
 std::string Decimals(double value, int decimals);
 
-/// What was compared and how: data set, thresholds, class map.
+/// Describes the comparison: data set, thresholds, class map.
 std::string ProtocolText(const Experiment& experiment);
-/// One row a system, all scores against the map of the ground truth's labels.
+/// One row per system; scores against the map of the ground truth's labels.
 std::string ScoreTable(const Experiment& experiment);
 /// The same against the ground truth's own points.
 std::string PointsTable(const Experiment& experiment);
-/// Labels alone, of the systems that were asked at these points.
+/// Labels only, of the systems queried at these points.
 std::string AskedTable(const Experiment& experiment);
-/// One row a class: IoU and PQ of each system.
+/// One row per class: IoU and PQ of each system.
 std::string ClassTable(const Experiment& experiment);
 
 }  // namespace dhpmap::evaluator

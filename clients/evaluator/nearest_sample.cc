@@ -8,7 +8,7 @@
 namespace dhpmap::evaluator {
 namespace {
 
-/// The points as nanoflann wants to see them.
+/// Adapts points to nanoflann.
 struct PointCloud {
   const std::vector<Eigen::Vector3f>& points_m;
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return points_m.size(); }
@@ -21,8 +21,8 @@ struct PointCloud {
   }
 };
 
-/// A nanoflann result set: the nearest point within a reach. Equally near points are let through, so that the choice
-/// between them is ours and not the tree's.
+/// A nanoflann result set: the nearest point within a distance. Accepts equally near points, so that the choice between
+/// them does not depend on the tree.
 class NearestWithin {
  public:
   using DistanceType = float;

@@ -11,7 +11,7 @@
 
 namespace dhpmap::evaluator {
 
-/// A nearest point, or none within the reach.
+/// A nearest point, or none within the search distance.
 struct Neighbour {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t index = kNone;
@@ -26,9 +26,9 @@ class NearestSample {
   ~NearestSample();
   NearestSample(NearestSample&&) noexcept;
 
-  /// The nearest point not farther than reach_m; of equally near ones, the first.
+  /// The nearest point within reach_m; among equally near ones, the first.
   [[nodiscard]] Neighbour Find(const Eigen::Vector3f& p_m, double reach_m) const;
-  /// Find for each query, in parallel; the same for any number of threads.
+  /// Find for each query, in parallel. The result does not depend on the number of threads.
   [[nodiscard]] std::vector<Neighbour> FindAll(const std::vector<Eigen::Vector3f>& queries_m, double reach_m,
                                                ThreadPool& pool) const;
 

@@ -9,17 +9,17 @@
 
 namespace dhpmap::evaluator {
 
-/// "key=value" each; INVALID_ARGUMENT for one without '=' or without a key.
+/// Parses "key=value"; INVALID_ARGUMENT for one without '=' or without a key.
 Result<std::vector<std::pair<std::string, std::string>>> ParseSettings(const std::vector<std::string>& settings);
 
-/// A data set's directory as a name: "house", "kitti 07" for .../kitti/sequences/07.
+/// A name for a data set's directory: "house", or "kitti 07" for .../kitti/sequences/07.
 std::string DatasetName(const std::string& directory);
 
 /// Replaces the file. UNAVAILABLE if it cannot be written.
 Status WriteText(const std::string& path, const std::string& text);
 
-/// UNAVAILABLE for the first file whose folder is not there, so that nobody waits for a result that has nowhere to go.
-/// Empty paths are passed over.
+/// UNAVAILABLE for the first file whose folder does not exist, so that a long run does not fail at its end. Skips empty
+/// paths.
 Status CheckWritable(const std::vector<std::string>& paths);
 
 }  // namespace dhpmap::evaluator

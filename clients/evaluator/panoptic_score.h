@@ -13,8 +13,8 @@ namespace dhpmap::evaluator {
 /// Panoptic quality of one class (Kirillov et al. 2019).
 struct ClassPanoptic {
   int num_matched = 0, num_false = 0, num_missed = 0;  ///< TP, FP, FN segments
-  double sum_iou = 0;                                  ///< of the matched ones
-  /// Whether the ground truth has a segment of it that counts.
+  double sum_iou = 0;                                  ///< of the matched segments
+  /// Whether the ground truth has a segment of the class that counts.
   bool is_present = false;
   [[nodiscard]] double sq() const { return num_matched == 0 ? 0.0 : sum_iou / num_matched; }
   [[nodiscard]] double rq() const;
@@ -26,9 +26,9 @@ struct PanopticMean {
   int num_classes = 0;
 };
 
-/// PQ, SQ and RQ as SemanticKITTI's evaluation counts them: segments match if they are of one class and their IoU is
-/// above 0.5, which at most one pair of each can be; segments with fewer than `min_elements` elements that match
-/// nothing count neither as false nor as missed. Means are over the classes that the ground truth has.
+/// PQ, SQ and RQ as in SemanticKITTI's evaluation. Segments match if they have the same class and an IoU above 0.5; at
+/// most one pair of each can. Unmatched segments with fewer than `min_elements` elements count neither as false nor as
+/// missed. Means are over the classes of the ground truth.
 struct PanopticScore {
   std::vector<ClassPanoptic> classes;  ///< by evaluated class
   PanopticMean all, things, stuff;

@@ -58,7 +58,7 @@ Result<Experiment> RunOn(const std::string& directory, const PaperOptions& optio
   });
 }
 
-/// So that a data set that is not there does not throw away what was measured of those before it.
+/// Checks all data sets first, so that a missing one does not discard results.
 Status CheckReadable(const std::vector<std::string>& directories) {
   for (const std::string& directory : directories) {
     for (const LabelSource labels : {LabelSource::kGroundTruth, LabelSource::kPredicted}) {

@@ -9,7 +9,7 @@ class App;
 
 namespace dhpmap::evaluator {
 
-/// Adds `paper`: the paper's tables over several data sets. `status` receives the outcome when the command line is
+/// Adds `paper`: the paper's tables over several data sets. `status` receives the result when the command line is
 /// parsed.
 void AddPaperCommand(CLI::App& app, Status& status);
 

@@ -7,11 +7,11 @@
 
 namespace dhpmap::evaluator {
 
-/// A row of Hu et al., DHP-Mapping, IROS 2024, Tables I to III, under our names; what a table leaves out is absent.
-/// Table I as printed breaks PQ <= min(SQ, RQ), which no segmentation can; with its columns PQ and SQ exchanged every
-/// row keeps it. They are exchanged back here.
+/// A row of Hu et al., DHP-Mapping, IROS 2024, Tables I to III, with our names; values missing in a table are empty.
+/// Table I as printed violates PQ <= min(SQ, RQ), which holds for every segmentation. With its columns PQ and SQ
+/// exchanged every row satisfies it, so they are exchanged here.
 struct PaperRow {
-  std::string_view preset;  ///< indoor: its "flat" data set; outdoor_lidar: its SemanticKITTI
+  std::string_view preset;  ///< indoor: the paper's "flat" data set; outdoor_lidar: its SemanticKITTI
   std::string_view system;
   std::optional<double> pq, sq, rq, mean_iou, accuracy;
   std::array<std::optional<double>, 3> mean_precision;  ///< at IoU 0.3, 0.4, 0.5
@@ -21,7 +21,7 @@ struct PaperRow {
 /// Null if the paper has no such row.
 const PaperRow* FindPaperRow(std::string_view preset, std::string_view system);
 
-/// The paper's name of the data set that it ran with such a preset, or the preset itself.
+/// The paper's name of the data set with this preset, or the preset itself.
 std::string_view PaperDataset(std::string_view preset);
 
 }  // namespace dhpmap::evaluator

@@ -22,7 +22,7 @@ std::string Cell(std::optional<double> ours, std::optional<double> paper, int de
   return paper ? text + " (" + Decimals(*paper, decimals) + ")" : text;
 }
 
-/// Calls add(experiment, scores, row of the paper) for each of the systems that was run, data set by data set.
+/// Calls add(experiment, scores, row of the paper) for each system that was run, for one data set after the other.
 template <typename Add>
 void ForEach(const std::vector<Experiment>& experiments, const std::vector<std::string>& systems, const Add& add) {
   static constexpr PaperRow kNothing{};

@@ -25,10 +25,10 @@ struct Picture {
   }
 };
 
-/// One above the other, on white.
+/// Stacks two pictures vertically, on white.
 Picture Below(const Picture& top, const Picture& bottom);
 
-/// The bytes of a file: PNG, or JPEG, which takes a fifth and blurs colours a little.
+/// Encodes as PNG, or as JPEG, which takes a fifth of the size and blurs colours a little.
 enum class PictureFormat { kPng, kJpeg };
 std::string Encode(const Picture& picture, PictureFormat format);
 

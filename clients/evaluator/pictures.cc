@@ -11,7 +11,7 @@ namespace {
 
 using namespace error_colors;
 
-/// Outdoors there are no ceilings to look through, and a scan sees walls from one side only.
+/// Outdoors there are no ceilings to remove, and a scan sees walls from one side only.
 Sides SidesOf(const Truth& truth) {
   constexpr double kIndoorSpacing_m = 0.04;
   return truth.protocol().spacing_m < kIndoorSpacing_m ? Sides::kFront : Sides::kBoth;
@@ -36,7 +36,7 @@ std::uint8_t Pale(std::uint8_t channel) {
 Color LabelColor(const ElementLabel& label) {
   if (label.class_index == ClassMap::kNone) return kNotJudged;
   if (label.instance != 0) return ColorOfId(label.instance);
-  constexpr std::uint32_t kStuffColors = 100'003;  // away from the ids of instances
+  constexpr std::uint32_t kStuffColors = 100'003;  // distinct from the ids of instances
   const Color color = ColorOfId(kStuffColors + static_cast<std::uint32_t>(label.class_index));
   return {Pale(color.r), Pale(color.g), Pale(color.b)};
 }

@@ -31,7 +31,7 @@ std::size_t BytesOf(const PanopticFrame& frame) {
 
 Result<Recording> Recording::Open(const std::string& directory, const std::string& format, LabelSource labels,
                                   std::size_t num_frames, std::size_t cache_bytes) {
-  // Only the map of the true labels leaves out what moves: a system is not told what does.
+  // Only the map of the true labels omits moving points: systems do not know what moves.
   return Open(directory, format, labels, {.drop_moving_points = labels == LabelSource::kGroundTruth}, num_frames,
               cache_bytes);
 }

@@ -10,7 +10,7 @@ double Share(std::int64_t part, std::int64_t rest) {
   return part + rest == 0 ? 1 : static_cast<double>(part) / static_cast<double>(part + rest);
 }
 
-/// Of what stands for nothing: the id of the map, which is no id of the truth.
+/// Flags an id of the map that matches no object of the truth.
 constexpr std::uint32_t kNoTruth = 1u << 31;
 
 std::string Line(const char* what, const NamedRelation& relation, const RelationTruth& truth) {

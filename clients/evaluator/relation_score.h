@@ -12,21 +12,21 @@
 
 namespace dhpmap::evaluator {
 
-/// How many labelled places are of an object of the truth and of a map, by their ids.
+/// Number of labelled places shared by an object of the truth and one of a map, by their ids.
 using SharedPlaces = std::map<std::pair<std::uint32_t, std::uint32_t>, std::int64_t>;
 
-/// By id of the map the object of the truth that it stands for: those that share more than half of the places of each.
+/// Maps ids of the map to objects of the truth that share more than half of the places of each.
 std::map<std::uint32_t, std::uint32_t> MatchByPlaces(const SharedPlaces& shared);
 
-/// What a map tells against what is true.
+/// A map's relations compared with the true ones.
 struct RelationScore {
   std::int64_t num_right = 0, num_wrong = 0, num_missed = 0;
-  [[nodiscard]] double Precision() const;  ///< 1 if nothing is told
-  [[nodiscard]] double Recall() const;     ///< 1 if there is nothing to tell
+  [[nodiscard]] double Precision() const;  ///< 1 without any reported relation
+  [[nodiscard]] double Recall() const;     ///< 1 without any true relation
 };
 
-/// By kind. Relations of what stands for nothing are wrong, and those of what nothing stands for are missed, unless
-/// `only_matched`, which leaves both out. `mistakes`, if not null, gets a line for each.
+/// Scores by kind. Relations of unmatched objects of the map are wrong, those of unmatched objects of the truth missed;
+/// with `only_matched` both are ignored. `mistakes`, if not null, gets a line for each mistake.
 std::map<RelationKind, RelationScore> ScoreRelations(const RelationTruth& truth,
                                                      const std::vector<NamedRelation>& told_of_map,
                                                      const std::map<std::uint32_t, std::uint32_t>& stands_for,

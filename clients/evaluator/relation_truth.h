@@ -12,16 +12,16 @@
 
 namespace dhpmap::evaluator {
 
-/// Kind, subject and object, by ids of the truth. Of kNextTo the lesser id comes first.
+/// Kind, subject and object, by ids of the truth. For kNextTo the smaller id comes first.
 using NamedRelation = std::tuple<RelationKind, std::uint32_t, std::uint32_t>;
 
-/// What dhpmap-simulate tells in truth.json of what is on, in or next to what.
+/// The relations on, in and next to that dhpmap-simulate writes to truth.json.
 struct RelationTruth {
-  std::map<std::uint32_t, std::string> names;  ///< of all that was seen
-  std::set<NamedRelation> relations;           ///< HANGS_ON is left out: maps tell no such relation
+  std::map<std::uint32_t, std::string> names;  ///< of all objects that were seen
+  std::set<NamedRelation> relations;           ///< without HANGS_ON, which maps do not report
 };
 
-/// NOT_FOUND without the file, INVALID_ARGUMENT for one that is damaged or tells no relations.
+/// NOT_FOUND without the file, INVALID_ARGUMENT if it is damaged or has no relations.
 Result<RelationTruth> ReadRelationTruth(const std::string& path);
 
 NamedRelation MakeNamedRelation(RelationKind kind, std::uint32_t subject, std::uint32_t object);

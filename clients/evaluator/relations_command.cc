@@ -49,7 +49,7 @@ Result<std::shared_ptr<const MapSnapshot>> MapOf(const std::string& directory, c
   return builder.map().Publish(0);
 }
 
-/// What measured places are of: by the labels of the truth, and by the map that is asked there.
+/// Labels of measured places: by the truth, and by point queries of the map.
 Result<SharedPlaces> PlacesOf(const std::string& directory, const std::shared_ptr<const MapSnapshot>& map) {
   DHPMAP_ASSIGN_OR_RETURN(Recording recording, Recording::OpenMeasured(directory, kAnyFormat, 0));
   TruthPoints points(map->info().config.integration);

@@ -9,8 +9,8 @@ class App;
 
 namespace dhpmap::evaluator {
 
-/// Adds `relations`: what maps of simulated recordings tell of what is on, in or next to what. `status` receives the
-/// outcome when the command line is parsed.
+/// Adds `relations`: scores the relations on, in and next to of maps of simulated recordings. `status` receives the
+/// result when the command line is parsed.
 void AddRelationsCommand(CLI::App& app, Status& status);
 
 }  // namespace dhpmap::evaluator

@@ -17,7 +17,7 @@
 namespace dhpmap::evaluator {
 namespace {
 
-/// Told apart by those who do not see all colours; a ninth system begins again.
+/// Distinguishable with colour blindness; repeated from the ninth system on.
 constexpr std::array kSystemColors = {"#2458d3", "#e8752a", "#12a594", "#a83279",
                                       "#8a8f98", "#e5b800", "#6a4fd0", "#4a5a23"};
 
@@ -107,7 +107,7 @@ std::optional<double> PqOf(const Scores& scores, std::size_t class_index) {
   return panoptic.is_present ? std::optional(panoptic.pq()) : std::nullopt;
 }
 
-/// Classes by the best system's IoU; dots of better systems lie on top.
+/// Classes sorted by the best system's IoU; better systems are drawn on top.
 ClassChart ChartOf(const Experiment& experiment, const std::vector<const Scores*>& ranked) {
   ClassChart chart{.measures = {"PQ", "IoU"}, .systems = {}, .colors = {}, .rows = {}};
   for (std::size_t s = ranked.size(); s-- > 0;) {

@@ -9,8 +9,8 @@
 
 namespace dhpmap::evaluator {
 
-/// The pictures of a report, taken while the maps are there: what the camera saw, the truth, and of each system its map
-/// and its errors.
+/// The pictures of a report, made while the maps exist: camera colours, ground truth, and for each system its labels
+/// and errors.
 class ReportPictures {
  public:
   void Add(const TruthPictures& truth, const Scores& scores, const std::vector<ElementLabel>& labels);
@@ -28,8 +28,8 @@ class ReportPictures {
   std::vector<OfSystem> systems_;
 };
 
-/// One page of HTML with all in it: scores, pictures of truth, map and errors side by side, scores by class, and the
-/// tables as `dhpmap-evaluate run` prints them. It asks nothing of a network, and runs no script.
+/// A self-contained HTML page: scores, pictures of truth, labels and errors side by side, scores by class, and the
+/// tables of `dhpmap-evaluate run`. It loads nothing from a network and has no scripts.
 std::string ReportPage(const Experiment& experiment, const ReportPictures& pictures);
 
 }  // namespace dhpmap::evaluator

@@ -3,7 +3,7 @@
 
 namespace dhpmap::evaluator {
 
-/// Of ReportPage. A picture grows to the window while its hidden checkbox is checked: no script is needed.
+/// Style of ReportPage. A picture is enlarged while its hidden checkbox is checked, so no script is needed.
 inline constexpr const char* kReportStyle = R"(
 :root { --ink: #1c2430; --soft: #5b6675; --line: #e3e7ec; --accent: #2458d3; }
 * { box-sizing: border-box; }

@@ -31,14 +31,14 @@ struct FlatBlock {
 
 std::int64_t NumBlocks(std::int64_t num_voxels) { return (num_voxels + kBlockVoxels - 1) / kBlockVoxels; }
 
-/// Where the i-th block of a scene lies: a slab, row by row.
+/// Position of the i-th block of a scene: rows of a slab.
 BlockIndex PlaceOf(std::int64_t i) {
   constexpr std::int64_t kSide = 512;
   return {static_cast<std::int32_t>(i % kSide), static_cast<std::int32_t>(i / kSide % kSide),
           static_cast<std::int32_t>(i / (kSide * kSide))};
 }
 
-/// The i-th block of a scene, the last of the object and the last of the rest not full.
+/// The i-th block of a scene. The last block of the object and of the rest may be partly filled.
 struct BlockPlan {
   bool is_object = false;
   std::int64_t rank = 0;  ///< among the blocks of the object, or among the others
@@ -55,7 +55,7 @@ class ScenePlan {
 
   [[nodiscard]] std::int64_t num_blocks() const { return num_blocks_; }
 
-  /// Spreads the object's blocks evenly over all.
+  /// Spreads the object's blocks evenly over all blocks.
   [[nodiscard]] BlockPlan At(std::int64_t i) const {
     const std::int64_t before = i * num_object_blocks_ / num_blocks_;
     const bool is_object = (i + 1) * num_object_blocks_ / num_blocks_ > before;
@@ -126,14 +126,14 @@ void MeasureMap(const ScenePlan& plan, int num_runs, std::vector<RetrievedVoxel>
   const std::shared_ptr<const MapSnapshot> snapshot = map.Publish(0);
   for (const auto& submap : snapshot->submaps()) times.map_bytes += submap->MemoryBytes();
 
-  // A look-up is shorter than a clock's tick.
+  // One look-up is shorter than the clock's resolution.
   constexpr int kLookups = 1000;
   std::size_t num_blocks = 0;
   times.find_s = Median_s(num_runs,
                           [&] {
                             for (int n = 0; n < kLookups; ++n) {
                               num_blocks += snapshot->Find(SubmapId(kObject))->blocks().size();
-                              asm volatile("" : "+r"(num_blocks));  // keeps the look-ups apart
+                              asm volatile("" : "+r"(num_blocks));  // prevents merging of the look-ups
                             }
                           }) /
                  kLookups;

@@ -9,7 +9,7 @@ class App;
 
 namespace dhpmap::evaluator {
 
-/// Adds `run`: one data set, chosen systems. `status` receives the outcome when the command line is parsed.
+/// Adds `run`: one data set, chosen systems. `status` receives the result when the command line is parsed.
 void AddRunCommand(CLI::App& app, Status& status);
 
 }  // namespace dhpmap::evaluator

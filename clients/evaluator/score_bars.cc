@@ -15,12 +15,12 @@ namespace {
 
 using Value = std::optional<double>;
 
-/// A column: how it is called, a system's value, and how that is shown.
+/// A column: its name, a system's value, and its format.
 struct Column {
   const char* name;
   Value (*value)(const Experiment& experiment, const Scores& scores);
   int decimals;
-  bool is_share;  ///< 0..1, the more the better, shown as a bar; else less is better
+  bool is_share;  ///< 0..1, higher is better, with a bar; else lower is better
 };
 
 constexpr double kOneHalf = 0.5;
@@ -56,7 +56,7 @@ constexpr Column kColumns[] = {
      1, false},
 };
 
-/// As it is shown: what is equal there is equally good.
+/// The value as displayed, so that equal numbers rank equally.
 double Shown(const Column& column, double value) {
   const double scale = std::pow(10, column.decimals);
   return std::round(value * scale) / scale;

@@ -8,8 +8,8 @@
 
 namespace dhpmap::evaluator {
 
-/// A <table> of HTML: a row a system, in the order of `ranked`, which are of experiment.on_points; the scores as bars,
-/// the best of a column bold.
+/// An HTML <table>: a row for each system in the order of `ranked`, which are elements of experiment.on_points; scores
+/// as bars, with the best of a column in bold.
 std::string ScoreBars(const Experiment& experiment, const std::vector<const Scores*>& ranked);
 
 }  // namespace dhpmap::evaluator

@@ -10,7 +10,7 @@
 
 namespace dhpmap::evaluator {
 
-/// Sizes of the segments (class and instance) of both sides and of what they share, over the judged elements.
+/// Sizes of the segments (class and instance) of both sides and of their intersections, over the judged elements.
 struct SegmentOverlap {
   std::map<ElementLabel, std::int64_t> truth, predicted;
   std::map<std::pair<ElementLabel, ElementLabel>, std::int64_t> shared;  ///< (truth, predicted), any classes

@@ -9,7 +9,7 @@
 namespace dhpmap::evaluator {
 namespace {
 
-/// Points of the unit square that fill it evenly from the first on (the additive recurrence of the plastic number).
+/// A low-discrepancy sequence in the unit square (the additive recurrence of the plastic number).
 class SpreadPoints {
  public:
   std::array<double, 2> Next() {
@@ -29,7 +29,7 @@ class SpreadPoints {
 SurfaceSamples SampleSurface(const Mesh& mesh, double spacing_m) {
   SurfaceSamples samples;
   SpreadPoints spread;
-  double owed = 0.5;  // samples; what a triangle is too small for goes to the next
+  double owed = 0.5;  // samples; small triangles pass their fraction on to the next
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& triangle = mesh.triangles[t];
     const Eigen::Vector3d a = mesh.vertices_m[triangle[0]].cast<double>();

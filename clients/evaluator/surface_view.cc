@@ -12,7 +12,7 @@ namespace {
 constexpr float kFarthest = -std::numeric_limits<float>::infinity();
 constexpr Color kPaper{255, 255, 255};
 
-/// From the upper left, behind the viewer.
+/// Lit from the upper left, behind the viewer.
 float Light(const Eigen::Vector3f& normal) {
   constexpr float kAmbient = 0.58f;
   const Eigen::Vector3f to_lamp = Eigen::Vector3f(-0.45f, 0.55f, 0.7f).normalized();
@@ -57,7 +57,7 @@ SurfaceView::SurfaceView(const Mesh& mesh, const Eigen::Matrix3f& R_view_map, Si
     Eigen::Matrix3f corners, normals;
     for (int i = 0; i < 3; ++i) corners.col(i) = seen[triangle[static_cast<std::size_t>(i)]];
     const Eigen::Vector3f across = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
-    const bool is_front = across.z() < 0;  // rows of pixels go down
+    const bool is_front = across.z() < 0;  // pixel rows go down
     if (!is_front && sides == Sides::kFront) continue;
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3f plain(-across.x() * px_per_m, across.y() * px_per_m, -across.z());
@@ -80,7 +80,7 @@ void SurfaceView::Draw(std::uint32_t triangle, const Eigen::Matrix3f& corners, c
   const int first_y = std::max(0, static_cast<int>(std::floor(low.y() - 0.5f)));
   const int last_x = std::min(width_ - 1, static_cast<int>(high.x() + 0.5f));
   const int last_y = std::min(height_ - 1, static_cast<int>(high.y() + 0.5f));
-  constexpr float kRim = -1e-4f;  // what lies on the edge between two belongs to one of them at least
+  constexpr float kRim = -1e-4f;  // a point on the edge of two triangles belongs to at least one
   for (int y = first_y; y <= last_y; ++y) {
     for (int x = first_x; x <= last_x; ++x) {
       const Eigen::Vector2f p(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);

@@ -11,22 +11,22 @@
 
 namespace dhpmap::evaluator {
 
-/// Whether triangles are seen from behind, too. From the front alone, who looks from outside sees into a room: ceilings
-/// and the near walls were only seen, and so only have surfaces, from within.
+/// Whether triangles are visible from behind. With kFront a view from outside looks into rooms: ceilings and near walls
+/// have surfaces only towards the inside, where they were observed.
 enum class Sides { kFront, kBoth };
 
-/// A mesh from afar, without perspective: which triangle shows at each pixel, and how brightly. Found once, and then
-/// painted in as many colours as one likes. Immutable.
+/// An orthographic view of a mesh: the visible triangle and its brightness at each pixel. Computed once, and painted
+/// with any colours. Immutable.
 class SurfaceView {
  public:
-  /// Looks along -z of the view, y up; the longer side of the picture has so many pixels.
+  /// Looks along -z of the view, y up; `long_side_px`: longer side of the picture.
   SurfaceView(const Mesh& mesh, const Eigen::Matrix3f& R_view_map, Sides sides, int long_side_px);
 
-  /// With the colour of each triangle, lit, on white; edges are smooth.
+  /// Paints each triangle in its colour, shaded, on white, with antialiasing.
   [[nodiscard]] Picture Paint(const std::function<Color(std::uint32_t triangle)>& color_of) const;
 
  private:
-  static constexpr int kFiner = 2;  ///< so many times in each direction, then averaged
+  static constexpr int kFiner = 2;  ///< supersampling in each direction
   static constexpr std::uint32_t kNothing = 0xffffffff;
   struct Pixel {
     float nearness_m;
@@ -39,9 +39,9 @@ class SurfaceView {
   [[nodiscard]] const Pixel& at(int x, int y) const {
     return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
   }
-  /// `corners` in pixels, z in metres towards the viewer.
+  /// `corners`: x and y in pixels, z in metres towards the viewer.
   void Draw(std::uint32_t triangle, const Eigen::Matrix3f& corners, const Eigen::Matrix3f& normals);
-  /// Darkens what lies behind an edge, so that shapes stand out.
+  /// Darkens pixels behind edges, to emphasise shapes.
   void ShadeEdges();
 
   int width_ = 0, height_ = 0;

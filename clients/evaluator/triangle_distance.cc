@@ -21,7 +21,7 @@ float DistanceToTriangle(const Eigen::Vector3f& p_m, const Eigen::Vector3f& a_m,
                          const Eigen::Vector3f& c_m) {
   const Eigen::Vector3f normal = (b_m - a_m).cross(c_m - a_m);
   const float length = normal.norm();
-  // The foot on the plane lies inside where it is on the inner side of all three edges.
+  // The projection onto the plane is inside if it is on the inner side of all three edges.
   const auto is_inside = [&](const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
     return normal.dot((to - from).cross(p_m - from)) >= 0;
   };

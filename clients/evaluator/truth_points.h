@@ -13,30 +13,31 @@
 
 namespace dhpmap::evaluator {
 
-/// What the sensor measured, with the data set's own labels, as a truth that no fusion has touched. It is reduced to
-/// one element a cell of space, so that what was seen often counts no more than what was seen once. Thread-compatible.
+/// The measured points with the data set's own labels: a ground truth without fusion. Reduced to one element for each
+/// grid cell, so that frequently observed places have no more weight. Thread-compatible.
 class TruthPoints {
  public:
   static constexpr double kCameraCell_m = 0.02, kScanCell_m = 0.1;
-  /// Of a depth image's pixels, every so many in each direction are taken.
+  /// Stride of the pixels used of a depth image, in each direction.
   static constexpr int kStep_px = 2;
 
-  /// Points outside the range that is fused are left out.
+  /// Ignores points outside the range that is fused.
   explicit TruthPoints(const IntegrationConfig& config)
       : min_range_m_(config.min_range_m), max_range_m_(config.max_range_m) {}
 
-  /// A frame with the ground truth's labels, whose ids mean the same object in every frame; of one kind of sensor.
+  /// Adds a frame with ground-truth labels, whose ids mean the same object in every frame. All frames must be of one
+  /// kind of sensor.
   void Add(const PanopticFrame& frame);
 
-  /// Of the kind of sensor that was added.
+  /// The cell size for the added kind of sensor.
   [[nodiscard]] double cell_m() const { return cell_m_; }
 
-  /// By cell, in ascending order: the label that most of its points have, the smaller class and instance of equals, at
-  /// their mean. Instance and class 0: not labelled. `triangles` is empty.
+  /// One element for each cell, sorted: the most frequent label of its points (on ties the smaller class and instance),
+  /// at their mean. Instance and class 0: unlabelled. `triangles` is empty.
   [[nodiscard]] SurfaceSamples Elements() const;
 
  private:
-  /// What points of one cell with one label have in common.
+  /// Identifies the points of one cell with one label.
   struct Key {
     VoxelIndex cell;
     std::uint32_t instance;

@@ -22,7 +22,7 @@ SceneBuilder Furnish(ApartmentScene::Ceiling ceiling) {
   FurnishBath(builder);
   FurnishStudy(builder);
   FurnishKitchen(builder);
-  // Last, so that all other ids are the same without it.
+  // Last, so that the ids of other instances do not depend on it.
   if (ceiling == ApartmentScene::Ceiling::kClosed) AddCeiling(builder);
   return builder;
 }

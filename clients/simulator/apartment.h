@@ -13,7 +13,7 @@
 
 namespace dhpmap::simulator {
 
-/// Inside of a room between the faces of its walls, seen from above, and the lamp on its ceiling.
+/// A room's interior between its wall faces, from above, and the position of its ceiling lamp.
 struct Room {
   const char* name;
   double min_x_m, max_x_m, min_y_m, max_y_m;
@@ -23,33 +23,33 @@ struct Room {
 /// Floor at z = 0. All rooms lie in 0..11 x 0..8 m.
 inline constexpr double kRoomHeight_m = 2.6;
 
-/// The furnished apartment: living room, bedroom, bath, study and kitchen, with doorways from each to the next and
-/// back. Exact: made of solids, not of triangles or voxels. Immutable, so thread-safe.
+/// The furnished apartment: living room, bedroom, bath, study and kitchen, connected by doorways in a cycle. Exact:
+/// made of solids, not of triangles or voxels. Immutable, so thread-safe.
 class ApartmentScene {
  public:
   enum class Ceiling { kClosed, kOpen };
-  /// kOpen leaves out the ceiling and what hangs from it, for views from above.
+  /// kOpen leaves out the ceiling and the things on it, for views from above.
   explicit ApartmentScene(Ceiling ceiling = Ceiling::kClosed);
 
   using Hit = BoundingTree::Hit;
-  /// What the ray meets first within max_m; its solid is null if that is nothing.
+  /// The first hit of the ray within max_m; its solid is null if there is none.
   [[nodiscard]] Hit Cast(const Ray& ray, double max_m = kFar_m) const { return tree_.Cast(ray, max_m); }
 
   /// Signed distance (m, map frame) to the nearest surface: exact in free space, negative inside solids.
   [[nodiscard]] double Distance(const Eigen::Vector3d& p_map) const { return tree_.Closest(p_map).distance_m; }
-  /// Ground-truth id of the nearest solid (1..255), or of the one around p.
+  /// Ground-truth id (1..255) of the nearest solid, or of the solid that contains p.
   [[nodiscard]] std::uint8_t InstanceAt(const Eigen::Vector3d& p_map) const {
     return tree_.Closest(p_map).solid->instance;
   }
 
-  /// By id; 0 stands for nothing.
+  /// By id; 0 means none.
   [[nodiscard]] std::span<const Instance> instances() const { return instances_; }
   [[nodiscard]] const Material& MaterialOf(const Solid& solid) const { return materials_[solid.material]; }
   [[nodiscard]] const BoundingTree& tree() const { return tree_; }
   [[nodiscard]] const std::vector<Solid>& solids() const { return tree_.solids(); }
   static std::span<const Room> Rooms();
 
-  /// The same instances and materials with other solids.
+  /// A scene with other solids and the same instances and materials.
   [[nodiscard]] ApartmentScene WithSolids(std::vector<Solid> solids) const {
     return {instances_, materials_, std::move(solids)};
   }
@@ -64,7 +64,7 @@ class ApartmentScene {
   BoundingTree tree_;
 };
 
-/// The parts of the apartment; each adds to the scene.
+/// Parts of the apartment; each function adds to the scene.
 void AddWallsAndFloors(SceneBuilder& scene);
 void AddCeiling(SceneBuilder& scene);  ///< with the lamps on it
 void FurnishLivingRoom(SceneBuilder& scene);

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::uint64_t kChangeStream = 3;
 constexpr double kLeast_m = 0.2, kThinnest_m = 0.12, kMost_m = 1.6, kWidest_m = 1.6;
 constexpr double kLeastShift_m = 0.7, kMostShift_m = 2.5, kStep_m = 0.25;
-constexpr double kGap_m = 0.06;  ///< to what stands beside it
+constexpr double kGap_m = 0.06;  ///< to neighbouring objects
 
 std::vector<Box> BoxesOf(const ApartmentScene& scene) {
   std::vector<Box> boxes(scene.instances().size());
@@ -27,7 +27,7 @@ std::vector<Box> BoxesOf(const ApartmentScene& scene) {
   return boxes;
 }
 
-/// What a thing may stand in the way of: everything but what it stands on and below. Walls are told by the room.
+/// Whether the instance is an obstacle: not what things stand on or below. Walls are checked by the room.
 bool IsInTheWay(const Instance& instance) {
   switch (instance.object_class) {
     case ObjectClass::kUnknown:
@@ -55,7 +55,7 @@ class Chooser {
     for (int i = 0; i < kPoses; ++i) eyes_.push_back(path.PoseAt(static_cast<double>(i) / kPoses).translation());
   }
 
-  /// Where others are from now on.
+  /// Updates the obstacles after a change.
   void Move(const Change& change) {
     if (change.shift_m) boxes_[change.instance].translate(*change.shift_m);
     std::erase_if(solids_, [&](const Part& part) { return part.instance == change.instance && !change.shift_m; });
@@ -64,7 +64,7 @@ class Chooser {
     }
   }
 
-  /// What stands by itself, with nothing on it, in it or over it.
+  /// Whether a thing is free-standing, with nothing on it, in it or above it.
   [[nodiscard]] bool MayGo(const Instance& instance) const {
     const Box& box = boxes_[instance.id];
     if (!InfoOf(instance.object_class).is_thing || box.isEmpty()) return false;
@@ -75,7 +75,7 @@ class Chooser {
     return IsFree({box.min() - side + Eigen::Vector3d(0, 0, 0.02), box.max() + side + Eigen::Vector3d(0, 0, 0.02)},
                   instance.id);
   }
-  /// And on the floor.
+  /// Whether it also stands on the floor.
   [[nodiscard]] bool MayMove(std::uint8_t instance) const { return boxes_[instance].min().z() <= 0.05; }
 
   [[nodiscard]] std::optional<Eigen::Vector3d> NewPlace(std::uint8_t instance, Random& random) const {
@@ -116,7 +116,7 @@ class Chooser {
     });
   }
 
-  /// A solid that may be in the way.
+  /// A solid that may be an obstacle.
   struct Part {
     std::uint8_t instance;
     Box box;

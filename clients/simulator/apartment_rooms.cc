@@ -18,7 +18,7 @@ void AddRoundRug(SceneBuilder& scene, const Place& place, double radius_m, const
   scene.Cylinder({0, 0, 0.006}, radius_m, 0.012, material);
 }
 
-/// Two bundles of folds beside a window of that width, and the rod above it.
+/// Two bundles of folds at a window of this width, and the rod above it.
 void AddCurtains(SceneBuilder& scene, const Place& place, double window_m) {
   constexpr double kFold_m = 0.045, kHeight_m = 2.1;
   scene.BeginStuff(ObjectClass::kCurtain, place);
@@ -32,7 +32,7 @@ void AddCurtains(SceneBuilder& scene, const Place& place, double window_m) {
   }
 }
 
-/// Height of the upper face of a board of a bookshelf; board 0 is the lowest.
+/// Height of the top of a bookshelf's board; board 0 is the lowest.
 double BoardTop(double height_m, int num_shelves, int board) { return 0.03 + board * (height_m - 0.03) / num_shelves; }
 
 }  // namespace
@@ -152,7 +152,7 @@ void FurnishKitchen(SceneBuilder& scene) {
   AddVase(scene, {8.6, 0.2, 0.9}, kTerracotta);
 
   AddDiningTable(scene, {9.4, 3.0});
-  // Two by two side by side, touching: one class, hard to tell apart.
+  // Two touching pairs, side by side: one class, hard to separate.
   for (double x : {9.175, 9.625}) {
     AddChair(scene, {x, 2.42, 0, kFacesNorth_deg}, kOak, kRedCloth);
     AddChair(scene, {x, 3.58, 0, kFacesSouth_deg}, kOak, kRedCloth);

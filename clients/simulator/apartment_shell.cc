@@ -20,7 +20,7 @@ struct Opening {
   [[nodiscard]] bool is_door() const { return sill_m == 0; }
 };
 
-/// A straight wall along x or y; `line_m` is the other coordinate of its middle plane.
+/// A straight wall along x or y; `line_m` is the other coordinate of its centre plane.
 struct Wall {
   bool is_along_x;
   double line_m, from_m, to_m, thickness_m;
@@ -89,7 +89,7 @@ std::vector<Wall> Walls() {
   const double west = -kHalf_m, east = kWidth_m + kHalf_m, south = -kHalf_m, north = kDepth_m + kHalf_m;
   const Material& paint = kWallPaint;
   return {
-      // Outside, one piece a room so that each room has its paint.
+      // Outer walls, one piece for each room, so that each has its own paint.
       {true, south, -kOuterWall_m, 6.2, kOuterWall_m, kAccentPaint, {{4.3, 5.7, 0.9, 2.1}}},
       {true, south, 6.2, kWidth_m + kOuterWall_m, kOuterWall_m, paint, {}},
       {true, north, -kOuterWall_m, 4.2, kOuterWall_m, kBedroomPaint, {{1.5, 3.1, 0.9, 2.1}}},
@@ -99,7 +99,7 @@ std::vector<Wall> Walls() {
       {false, west, kBetweenRows_m, kDepth_m, kOuterWall_m, kBedroomPaint, {}},
       {false, east, 0, kBetweenRows_m, kOuterWall_m, paint, {{2.0, 3.8, 0.9, 2.1}}},
       {false, east, kBetweenRows_m, kDepth_m, kOuterWall_m, kStudyPaint, {}},
-      // Inside
+      // Inner walls
       {true, kBetweenRows_m, 0, 4.2, kInnerWall_m, paint, {{2.9, 3.9, 0, 2.05}}},
       {true, kBetweenRows_m, 4.2, 6.8, kInnerWall_m, paint, {}},
       {true, kBetweenRows_m, 6.8, kWidth_m, kInnerWall_m, paint, {{7.4, 8.4, 0, 2.05}}},

@@ -7,7 +7,7 @@
 namespace dhpmap::simulator {
 namespace {
 
-/// Inward normals of the four sides of the pyramid from the eye through a rectangle of the image.
+/// The pyramid from the eye through a rectangle of the image, with inward normals.
 BoundingTree::Pyramid PyramidThrough(const PinholeCamera& camera, const Transform& T_map_camera, double u0_px,
                                      double v0_px, double u1_px, double v1_px) {
   const auto corner = [&](double u, double v) -> Eigen::Vector3d {
@@ -28,7 +28,7 @@ BoundingTree::Pyramid PyramidThrough(const PinholeCamera& camera, const Transfor
 
 BeamGrid::BeamGrid(const BoundingTree& tree, const PinholeCamera& camera, const Transform& T_map_camera)
     : num_columns_((camera.width_px + kTile_px - 1) / kTile_px) {
-  constexpr double kMargin_px = 0.52;  // from pixel centres to their borders, and rounding
+  constexpr double kMargin_px = 0.52;  // from pixel centres to borders, and rounding
   const int num_rows = (camera.height_px + kTile_px - 1) / kTile_px;
   for (int row = 0; row < num_rows; ++row) {
     for (int column = 0; column < num_columns_; ++column) {

@@ -10,13 +10,13 @@
 
 namespace dhpmap::simulator {
 
-/// Which solids each tile of an image can see: neighbouring rays share the way down the tree. Immutable.
+/// The solids visible from each tile of an image, so that neighbouring rays share the traversal of the tree. Immutable.
 class BeamGrid {
  public:
   /// The tree must outlive the grid.
   BeamGrid(const BoundingTree& tree, const PinholeCamera& camera, const Transform& T_map_camera);
 
-  /// First solid on the line of sight of a place in pixel (u, v), as from BoundingTree::Cast.
+  /// The first solid on the ray of a point in pixel (u, v), as by BoundingTree::Cast.
   [[nodiscard]] BoundingTree::Hit Cast(int u_px, int v_px, const Ray& ray) const;
 
  private:
@@ -24,7 +24,7 @@ class BeamGrid {
 
   int num_columns_;
   std::vector<BoundingTree::Candidate> candidates_;  ///< tile by tile, nearest first
-  std::vector<std::uint32_t> first_;                 ///< of each tile, and the end
+  std::vector<std::uint32_t> first_;                 ///< for each tile, and the end
 };
 
 }  // namespace dhpmap::simulator

@@ -11,7 +11,7 @@ namespace dhpmap::simulator {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 1;
-// A split leaves at least a sixth on each side, which bounds the depth at 38 for a thousand solids and 63 for 90 000.
+// A split leaves at least a sixth on each side, which limits the depth to 38 for 1,000 solids and 63 for 90,000.
 constexpr std::uint32_t kSmallestShare = 6;
 constexpr int kMaxDepth = 64;
 
@@ -49,7 +49,7 @@ std::uint32_t BoundingTree::Build(std::uint32_t begin, std::uint32_t end) {
   return index;
 }
 
-// The split of least surface area heuristic over all positions of all three axes; there are few solids.
+// The surface area heuristic, over all split positions of all three axes; there are few solids.
 std::uint32_t BoundingTree::Partition(std::uint32_t begin, std::uint32_t end) {
   const std::uint32_t count = end - begin;
   double best_cost = std::numeric_limits<double>::infinity();

@@ -15,10 +15,10 @@ struct Waypoint {
 };
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTurnCost_m = 0.5;  ///< a turn by 1 rad takes as long as this much way
+constexpr double kTurnCost_m = 0.5;  ///< a turn by 1 rad takes as long as this distance
 
 constexpr std::array<Waypoint, 38> kWaypoints{{
-    // Living room: in from the kitchen, past the television, behind the sofa.
+    // Living room: from the kitchen, past the television, behind the sofa.
     {5.70, 2.15, 1.40, 2.90, 2.30, 1.20},
     {4.90, 1.60, 1.40, 2.60, 2.60, 0.80},
     {4.00, 1.05, 1.38, 2.30, 2.90, 0.50},
@@ -32,7 +32,7 @@ constexpr std::array<Waypoint, 38> kWaypoints{{
     {3.00, 3.88, 1.40, 5.20, 4.10, 0.90},
     {3.85, 3.70, 1.40, 5.25, 4.40, 0.80},
     {3.75, 4.10, 1.40, 4.60, 5.20, 1.00},
-    // Bedroom: round the foot of the bed.
+    // Bedroom: around the foot of the bed.
     {3.42, 4.62, 1.40, 2.90, 6.60, 1.20},
     {3.10, 5.40, 1.40, 1.40, 6.60, 0.60},
     {2.65, 6.10, 1.40, 0.80, 7.10, 0.60},
@@ -54,7 +54,7 @@ constexpr std::array<Waypoint, 38> kWaypoints{{
     {9.25, 5.60, 1.40, 9.80, 4.60, 0.30},
     {8.60, 5.55, 1.40, 7.40, 6.70, 0.70},
     {8.00, 5.20, 1.40, 7.90, 3.90, 0.80},
-    // Kitchen: down to the counter, along it and back.
+    // Kitchen: to the counter, along it and back.
     {7.90, 4.30, 1.40, 8.90, 2.60, 1.20},
     {7.75, 3.20, 1.40, 9.40, 2.90, 0.70},
     {8.10, 2.00, 1.40, 9.40, 0.40, 0.90},
@@ -87,12 +87,12 @@ CameraPath::CameraPath() {
   }
 }
 
-// Cubic Hermite through the waypoints, with the slopes of finite differences over unequal times.
+// Cubic Hermite interpolation of the waypoints, with slopes from finite differences over unequal times.
 CameraPath::State CameraPath::StateAt(double time) const {
   const std::size_t last = states_.size() - 1;
   const auto after = std::upper_bound(times_.begin(), times_.end(), time) - times_.begin();
   const std::size_t i = std::clamp<std::size_t>(static_cast<std::size_t>(after), 1, last) - 1;
-  // One round on, a full turn may have been added.
+  // After one round a full turn may have been added.
   const State round = states_[last] - states_[0];
   const auto slope = [&](std::size_t k) -> State {
     const bool is_end = k == 0 || k == last;

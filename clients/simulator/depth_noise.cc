@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kEdgeDropOut = 0.7;
 constexpr float kEdgeFixed_m = 0.02f;
-constexpr float kEdgeSlope_px = 16.0f;  ///< steeper than this many times the size of a pixel at that depth is an edge
+constexpr float kEdgeSlope_px = 16.0f;  ///< an edge is steeper than this many pixel sizes at that depth
 
 bool IsAtEdge(const RenderedFrame& frame, int u, int v) {
   const int width = frame.camera.width_px, height = frame.camera.height_px;

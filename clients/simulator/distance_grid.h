@@ -10,15 +10,15 @@
 
 namespace dhpmap::simulator {
 
-/// Distances to the nearest solid sampled on a grid and cut off at `kReach_m`: coarse, but some ten times faster to
-/// look up than the exact ones. For shading only. Immutable.
+/// Distances to the nearest solid, sampled on a grid and clamped to `kReach_m`: coarse, but about ten times as fast as
+/// exact ones. For shading only. Immutable.
 class DistanceGrid {
  public:
   static constexpr float kReach_m = 0.5f;
   static constexpr float kCell_m = 0.05f;
 
   explicit DistanceGrid(std::span<const Solid> solids);
-  /// Interpolated; kReach_m outside of the grid.
+  /// Interpolated; kReach_m outside the grid.
   [[nodiscard]] float At(const Eigen::Vector3f& p_map) const;
 
  private:

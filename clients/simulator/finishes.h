@@ -3,7 +3,7 @@
 
 #include "clients/simulator/material.h"
 
-// What the apartment is made of.
+// Materials of the apartment.
 namespace dhpmap::simulator {
 
 using Pattern = Material::Pattern;
@@ -45,7 +45,7 @@ inline constexpr Material kWindowView{Pattern::kSky, 0xffffff, 0xffffff, 0.1, 0.
 inline constexpr Material kScreen{Pattern::kLandscape, 0x2c4f86, 0x1d7a74, 0.1, 0.35};
 inline constexpr Material kMirrorGlass{Pattern::kPlain, 0xaebfc7, 0xffffff, 0.1, 0.15};
 
-/// One colour.
+/// A single colour.
 constexpr Material Paint(std::uint32_t rgb) { return {Pattern::kPlain, rgb}; }
 
 }  // namespace dhpmap::simulator

@@ -73,7 +73,7 @@ Status MakeFolder(const fs::path& folder) {
   return error ? Unavailable("cannot make " + folder.string() + ": " + error.message()) : Status::Ok();
 }
 
-/// Writes frames, each on its own, so that threads may share it.
+/// Writes frames independently, so that threads may share it.
 class FrameWriter {
  public:
   FrameWriter(const ApartmentScene& scene, const RecordingOptions& options)
@@ -116,11 +116,11 @@ Status WriteTables(const ApartmentScene& scene, const RecordingOptions& options,
   DHPMAP_RETURN_IF_ERROR(WriteText(folder / "groundtruth_labels.csv", GroundTruthTable(scene.instances())));
   if (options.has_predictions) DHPMAP_RETURN_IF_ERROR(WriteText(folder / "detectron_labels.csv", CategoryTable()));
   DHPMAP_RETURN_IF_ERROR(WriteText(folder / "truth.json", TruthJson(scene, views)));
-  // Last, so that an interrupted recording is not taken for a whole one.
+  // Last, so that an interrupted recording is not mistaken for a complete one.
   return WriteText(folder / options.run / "timestamps.csv", TimestampsCsv(options));
 }
 
-/// What went wrong first, on whichever thread. Thread-safe.
+/// The first error of any thread. Thread-safe.
 class FirstError {
  public:
   void Offer(const Status& error) {
@@ -137,7 +137,7 @@ class FirstError {
   Status error_ DHPMAP_GUARDED_BY(mutex_);
 };
 
-/// All frames, spread over the threads; by frame. `after` writes those of a second walk.
+/// Writes all frames, spread over the threads; returns their views. `after` writes those of a second walk.
 Result<std::vector<std::vector<InstanceView>>> WriteFrames(const FrameWriter& before, const FrameWriter& after,
                                                            const RecordingOptions& options, ThreadPool& threads,
                                                            const std::function<void()>& on_frame_done) {

@@ -3,7 +3,7 @@
 
 #include "clients/simulator/scene_builder.h"
 
-// Each function puts one thing (a new instance) at a place. Sizes are full sizes in metres.
+// Each function adds one thing (a new instance) at a place. Sizes are full sizes in metres.
 namespace dhpmap::simulator {
 
 // Seating and sleeping
@@ -35,7 +35,7 @@ void AddCeilingLamp(SceneBuilder& scene, const Place& place);
 void AddPendantLamp(SceneBuilder& scene, const Place& place, double drop_m);
 void AddPlant(SceneBuilder& scene, const Place& place, double height_m);
 void AddSmallPlant(SceneBuilder& scene, const Place& place);
-/// The place is the middle of its back.
+/// The place is the centre of its back.
 void AddPicture(SceneBuilder& scene, const Place& place, double width_m, double height_m, const Material& picture);
 void AddMirror(SceneBuilder& scene, const Place& place, double width_m, double height_m);
 void AddBooks(SceneBuilder& scene, const Place& place, int count, std::uint32_t first_color);

@@ -17,7 +17,7 @@ Status Write(const std::filesystem::path& path, const cv::Mat& image, const std:
   }
 }
 
-/// A view of the pixels; OpenCV only reads it.
+/// A view of the pixels, which OpenCV only reads.
 template <typename Pixel>
 cv::Mat View(int width_px, std::span<const Pixel> pixels, int type) {
   const int height = static_cast<int>(pixels.size()) / width_px;

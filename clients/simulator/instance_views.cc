@@ -8,11 +8,12 @@
 namespace dhpmap::simulator {
 namespace {
 
-// Where depth is good and pixels are dense.
+// Range of good depth with dense pixels.
 constexpr float kNear_m = 0.5f, kDistant_m = 4.0f;
 constexpr float kJump = 0.04f;  ///< relative to depth
 
-/// Steps of a king from every pixel to the nearest one of another instance, across a jump in depth, or outside.
+/// Chebyshev distance in pixels from each pixel to the nearest one of another instance, behind a depth jump, or
+/// outside.
 std::vector<int> Margins(const RenderedFrame& frame) {
   const int width = frame.camera.width_px, height = frame.camera.height_px;
   std::vector<int> margins(frame.instances.size(), 0);

@@ -8,7 +8,7 @@ namespace {
 constexpr double kCounterDepth_m = 0.6, kCounterHeight_m = 0.9;
 constexpr Material kCabinetPaint{Pattern::kPlain, 0x6f8f86};
 
-/// Doors side by side on the +y face, with bar handles.
+/// A row of doors on the +y face, with bar handles.
 void Doors(SceneBuilder& scene, double width_m, double front_m, double low_m, double high_m, int count,
            const Material& material) {
   const double each_m = width_m / count;
@@ -35,7 +35,7 @@ void AddKitchenCounter(SceneBuilder& scene, const Place& place, double width_m, 
     scene.Box({0, 0, kCounterHeight_m - 0.02}, {width_m, kCounterDepth_m, 0.04}, kStone, 0.004);
     return;
   }
-  // The worktop leaves a hole for the sink.
+  // The worktop has a hole for the sink.
   constexpr double kSinkWidth_m = 0.5, kSinkDepth_m = 0.38;
   const double side_m = (width_m - kSinkWidth_m) / 2, rim_m = (kCounterDepth_m - kSinkDepth_m) / 2;
   for (double side : {-1.0, 1.0}) {

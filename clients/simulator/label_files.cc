@@ -9,14 +9,14 @@
 namespace dhpmap::simulator {
 namespace {
 
-// Keeps the order of keys as written.
+// Keeps keys in the order of writing.
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kColumns = "InstanceID,ClassID,PanopticID,R,G,B,Name,Size\n";
 
 std::string Row(std::size_t id, ObjectClass object_class, const std::string& name) {
   const ObjectClassInfo& info = InfoOf(object_class);
-  // Bright colours that differ from id to id; nothing is black.
+  // Bright colours that differ between ids; none is black.
   const std::uint64_t bits = id == 0 ? 0 : MixBits(id);
   std::string color;
   for (int shift : {0, 16, 32}) color += std::to_string(id == 0 ? 0 : 48 + (bits >> shift) % 208) + ",";

@@ -7,14 +7,14 @@
 #include "clients/simulator/panoptic_noise.h"
 #include "clients/simulator/scene_builder.h"
 
-// Texts of the flat layout's label files.
+// Content of the flat layout's label files.
 namespace dhpmap::simulator {
 
-/// groundtruth_labels.csv: a row an instance.
+/// groundtruth_labels.csv: one row for each instance.
 std::string GroundTruthTable(std::span<const Instance> instances);
-/// detectron_labels.csv: a row a class.
+/// detectron_labels.csv: one row for each class.
 std::string CategoryTable();
-/// NNNNNN_labels.json; with the classes that the network thinks of, if that is wanted.
+/// NNNNNN_labels.json; `has_class_scores` adds the scores of likely classes.
 std::string SegmentsJson(std::span<const PredictedSegment> segments, bool has_class_scores);
 
 }  // namespace dhpmap::simulator

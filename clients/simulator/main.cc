@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap-simulate: records a walk through a furnished apartment as a data set with known truth.
+// dhpmap-simulate: records a walk through a furnished apartment as a data set with ground truth.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>

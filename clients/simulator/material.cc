@@ -18,7 +18,7 @@ float Lattice(int x, int y, std::uint32_t seed) {
 
 float Smooth(float t) { return t * t * (3.0f - 2.0f * t); }
 
-/// Value noise in 0..1 with a lattice of unit steps.
+/// Value noise in 0..1 on the unit lattice.
 float Noise(float x, float y, std::uint32_t seed) {
   const float fx = std::floor(x), fy = std::floor(y);
   const int ix = static_cast<int>(fx), iy = static_cast<int>(fy);
@@ -28,14 +28,14 @@ float Noise(float x, float y, std::uint32_t seed) {
   return low + v * (high - low);
 }
 
-/// 1 where the pixel is much smaller than a feature of that size, 0 where it is larger.
+/// 1 if the pixel is much smaller than a feature of this size, 0 if it is larger.
 float Detail(double footprint_m, double feature_m) {
   return static_cast<float>(std::clamp(1.5 - 2.0 * footprint_m / feature_m, 0.0, 1.0));
 }
 
 Light Mix(const Light& a, const Light& b, float t) { return a + t * (b - a); }
 
-/// Share of a pixel at `x`, `footprint` wide, that lies in bands of width `band` at the start of every `period`.
+/// The share of a pixel at `x`, `footprint` wide, that is in bands of width `band` at the start of each `period`.
 float BandCover(double x, double period, double band, double footprint) {
   const auto integral = [&](double at) {
     const double whole = std::floor(at / period);
@@ -45,7 +45,7 @@ float BandCover(double x, double period, double band, double footprint) {
   return static_cast<float>((integral(x + width / 2) - integral(x - width / 2)) / width);
 }
 
-/// Coordinates on the face of a solid: `along` the grain, `across` it; metres.
+/// Coordinates on the face of a solid, along and across the grain, in m.
 struct FacePoint {
   float along, across;
 };
@@ -61,7 +61,7 @@ FacePoint OnFace(const SurfacePoint& at) {
   return {static_cast<float>(p[grain]), static_cast<float>(p[other])};
 }
 
-/// Upright coordinates in -1..1 on the large face of a flat solid (a picture, a window).
+/// Upright coordinates in -1..1 on the large face of a flat solid (picture, window).
 Eigen::Vector2f OnPanel(const SurfacePoint& at) {
   const Eigen::Vector3d p = at.solid.ToLocal(at.p_map);
   const Eigen::Vector3d half = at.solid.LocalExtents();
@@ -130,7 +130,7 @@ float Speckles(const Material& m, const SurfacePoint& at, const FacePoint& f) {
   return spot * detail + 0.2f * (1.0f - detail);
 }
 
-/// Sun, two ranges of hills and a foreground in the material's two colours.
+/// A sun, two ranges of hills and a foreground in the material's two colours.
 Light Landscape(const Material& m, const SurfacePoint& at) {
   const Eigen::Vector2f p = OnPanel(at);
   const std::uint32_t seed = at.solid.look_seed;

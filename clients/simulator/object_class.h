@@ -66,7 +66,7 @@ struct ObjectClassInfo {
   const char* name;
   bool is_thing;
   char size;                 ///< S, M or L, as in the label tables
-  ObjectClass mistaken_for;  ///< what a network would most likely say instead
+  ObjectClass mistaken_for;  ///< the most likely misclassification by a network
 };
 
 /// By class number, kUnknown first.

@@ -16,15 +16,15 @@ namespace {
 constexpr int kMinSharedBorder_px = 4;
 constexpr float kSharedBorder_m = 0.3f;
 constexpr std::size_t kNumIds = 256;
-constexpr double kTruthIsSecondShare = 0.7;  // of things said to be something else
-constexpr double kSecondShare = 0.8;         // of what the score of a class leaves, that of the next
+constexpr double kTruthIsSecondShare = 0.7;  // of misclassified things
+constexpr double kSecondShare = 0.8;         // share of the remaining score that the second class gets
 
-/// A smooth random shift with the given root mean square, by interpolation between knots.
+/// A smooth random displacement with the given RMS, interpolated between knots.
 class ShiftField {
  public:
   ShiftField(int width_px, int height_px, double wave_px, double rms_px, Random& random)
       : step_px_(std::max(2.0, wave_px / 2)), columns_(static_cast<int>(width_px / step_px_) + 2) {
-    // Interpolation between independent knots loses this share of their spread (13/35 is the mean square weight).
+    // Interpolation between independent knots reduces the spread to this share (13/35 is the mean squared weight).
     constexpr double kKept = 2.0 * 13.0 / 35.0;
     const int rows = static_cast<int>(height_px / step_px_) + 2;
     knots_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows));
@@ -49,7 +49,7 @@ class ShiftField {
   std::vector<double> knots_;
 };
 
-/// Groups of ground-truth ids that the network takes for one.
+/// Groups of ground-truth ids that the network merges.
 class Groups {
  public:
   Groups() { std::iota(parent_.begin(), parent_.end(), std::uint8_t{0}); }
@@ -66,7 +66,7 @@ class Groups {
   std::array<std::uint8_t, kNumIds> parent_{};
 };
 
-/// A line through an image: one side of it is the second part of a split thing.
+/// A line through an image; one side of it is the second part of a split thing.
 struct Cut {
   bool is_set = false;
   double u = 0, v = 0, normal_u = 0, normal_v = 0;
@@ -187,7 +187,7 @@ class Predictor {
     return Rounded(score);
   }
 
-  /// As files have it.
+  /// Rounded as in files.
   static float Rounded(double score) { return static_cast<float>(std::round(score * 1000) / 1000); }
 
   std::uint8_t AddSegment(std::uint8_t group, ObjectClass object_class, float score) {
@@ -203,7 +203,7 @@ class Predictor {
     return id;
   }
 
-  /// Every pixel says what is seen some pixels beside it.
+  /// Labels each pixel with the segment seen at a displaced pixel.
   void DrawIds() {
     const double rms_px = noise_.border_rms_px * scale_, wave_px = noise_.border_wave_px * scale_;
     const ShiftField shift_u(width_, height_, wave_px, rms_px, random_);
@@ -235,7 +235,7 @@ class Predictor {
     }
   }
 
-  /// New ids in random order, without those that lost all their pixels.
+  /// Assigns new ids in random order; drops segments without pixels.
   void ShuffleIds() {
     std::array<bool, kNumIds> is_seen{};
     for (std::uint8_t id : prediction_.ids) is_seen[id] = true;
@@ -261,7 +261,7 @@ class Predictor {
   const double scale_;
 
   Groups groups_;
-  // By group.
+  // Indexed by group.
   std::array<double, kNumIds> area_{}, sum_u_{}, sum_v_{};
   std::array<std::uint8_t, kNumIds> largest_{}, first_part_{}, second_part_{};
   std::array<Cut, kNumIds> cuts_{};

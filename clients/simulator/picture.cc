@@ -9,7 +9,7 @@ namespace dhpmap::simulator {
 namespace {
 
 constexpr int kCell_px = 4;
-constexpr float kContrast = 0.12f;  ///< neighbours that differ more are smoothed
+constexpr float kContrast = 0.12f;  ///< larger differences between neighbours are smoothed
 constexpr std::array<std::array<int, 2>, 4> kBeside{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 const Light kNothing(0.9f, 0.9f, 0.9f);
 
@@ -63,7 +63,7 @@ Light Picture::Illuminate(const Ray& ray, double distance_m, const Pixel& pixel)
 
 Light Picture::Reflect(const Ray& ray, double distance_m, const Pixel& pixel) const {
   const Eigen::Vector3d normal = pixel.normal.cast<double>();
-  // Between the short and the long side of a pixel on a slanted surface.
+  // Between the short and the long side of a pixel's footprint on a slanted surface.
   const double cosine = std::abs(normal.dot(ray.direction));
   const double footprint_m = distance_m / frame_.camera.fx_px / std::sqrt(std::max(cosine, 0.05));
   return shader_.Reflection({*pixel.solid, ray.At(distance_m), normal, footprint_m}, pixel.illumination);
@@ -75,7 +75,7 @@ void Picture::IlluminateAll() {
     const auto& hit = hits_[static_cast<std::size_t>(&pixel - pixels_.data())];
     if (hit.solid != nullptr) pixel.illumination = Illuminate(PixelRay(frame_, u, v), hit.distance_m, pixel);
   };
-  // Corners of cells first, the last column and row among them.
+  // Cell corners first, including the last column and row.
   for (int v = 0; v < height_ + kCell_px - 1; v += kCell_px) {
     for (int u = 0; u < width_ + kCell_px - 1; u += kCell_px) {
       illuminate(std::min(u, width_ - 1), std::min(v, height_ - 1));
@@ -104,7 +104,7 @@ void Picture::IlluminateCell(int u0, int v0) {
         sum += weights[i] * corners[i]->illumination;
         weight += weights[i];
       }
-      constexpr float kLeast = 0.05f;  // less is guesswork from a far corner
+      constexpr float kLeast = 0.05f;  // a smaller weight means extrapolation from a distant corner
       pixel.illumination =
           weight > kLeast ? Light(sum / weight) : Illuminate(PixelRay(frame_, u, v), hit.distance_m, pixel);
     }
@@ -131,7 +131,7 @@ Light Picture::Smoothed(int u, int v, Edge edge) {
   Light sum = Light::Zero();
   for (const auto& [du, dv] : kRotatedGrid) {
     const Ray ray = PixelRay(frame_, u + du, v + dv);
-    // Clipped, so that a bright lamp does not outshine its smooth edge.
+    // Clipped, so that a bright lamp keeps a smooth edge.
     sum += (edge == Edge::kOfPattern ? LookOnFace(here, u, v, ray) : LookAgain(u, v, ray)).cwiseMin(1.5f);
   }
   return sum / static_cast<float>(kRotatedGrid.size());

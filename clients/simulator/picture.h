@@ -9,25 +9,25 @@
 
 namespace dhpmap::simulator {
 
-/// The line of sight of a pixel.
+/// The ray through a pixel.
 Ray PixelRay(const RenderedFrame& frame, double u_px, double v_px);
 
-/// Colours one frame. The light on surfaces is computed at every fourth pixel and interpolated within smooth faces;
-/// pixels at edges are the mean of four. One use, one thread.
+/// Colours one frame. Illumination is computed at every fourth pixel and interpolated within smooth faces; pixels at
+/// edges average four samples. For one use in one thread.
 class Picture {
  public:
-  /// `hits`: what every pixel of the frame sees. All must outlive the picture.
+  /// `hits`: what each pixel of the frame sees. All arguments must outlive the picture.
   Picture(const Shader& shader, const RenderedFrame& frame, const BeamGrid& beams,
           const std::vector<BoundingTree::Hit>& hits);
   std::vector<Rgb> Colors();
 
  private:
   struct Pixel {
-    const Solid* solid = nullptr;  ///< null = nothing is seen
+    const Solid* solid = nullptr;  ///< null: nothing is seen
     Eigen::Vector3f normal = Eigen::Vector3f::Zero();
     Light illumination = Light::Zero();
-    Light light = Light::Zero();  ///< what the camera gets
-    /// Of one smooth face, so that light may be taken over from one to the other.
+    Light light = Light::Zero();  ///< light that reaches the camera
+    /// Whether both are on one smooth face, so that illumination can be shared.
     [[nodiscard]] bool IsAlike(const Pixel& other) const {
       return solid == other.solid && normal.dot(other.normal) > 0.93f;
     }
@@ -43,9 +43,9 @@ class Picture {
   enum class Edge { kNone, kOfPattern, kOfFaces };
   [[nodiscard]] Edge EdgeAt(int u, int v);
   [[nodiscard]] Light Smoothed(int u, int v, Edge edge);
-  /// Along a ray beside that of the pixel, which meets the same face.
+  /// The light along a ray near that of the pixel, which hits the same face.
   [[nodiscard]] Light LookOnFace(const Pixel& pixel, int u, int v, const Ray& ray) const;
-  /// Along a ray through the pixel that may meet anything.
+  /// The light along a ray through the pixel, which may hit any face.
   [[nodiscard]] Light LookAgain(int u, int v, const Ray& ray);
   [[nodiscard]] Light IlluminationLike(const Pixel& sample, int u, int v, const Ray& ray, double distance_m);
 

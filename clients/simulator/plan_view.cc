@@ -11,7 +11,7 @@ namespace {
 
 const Eigen::Vector3d kEye_m(5.5, 0.6, 26.0);
 const Eigen::Vector3d kLookAt_m(5.5, 4.2, 0.0);
-constexpr double kVisibleWidth_m = 13.4;  ///< at the floor
+constexpr double kVisibleWidth_m = 13.4;  ///< at floor level
 
 Transform FromAbove() {
   const Eigen::Vector3d forward = (kLookAt_m - kEye_m).normalized(), right = Eigen::Vector3d::UnitX();
@@ -30,7 +30,7 @@ void Blend(Rgb& pixel, const Rgb& over, double share) {
   pixel = {mix(pixel.r, over.r), mix(pixel.g, over.g), mix(pixel.b, over.b)};
 }
 
-/// A line of soft discs, each pixel covered as by the nearest.
+/// A line of soft discs; each pixel is covered by the nearest.
 void DrawPath(const CameraPath& path, RenderedFrame& frame) {
   constexpr int kSamples = 4000;
   constexpr Rgb kOrange{244, 98, 32};

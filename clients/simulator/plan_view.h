@@ -5,7 +5,7 @@
 
 namespace dhpmap::simulator {
 
-/// The apartment from above, ceiling taken off, with the camera's way drawn in; 4:3.
+/// The apartment from above without ceiling, with the camera's path drawn in; 4:3.
 RenderedFrame RenderPlan(int width_px);
 
 }  // namespace dhpmap::simulator

@@ -8,7 +8,7 @@
 
 namespace dhpmap::simulator {
 
-/// Counts frames on stderr: a bar on a terminal, else a line at every quarter. Thread-safe.
+/// Shows the number of frames on stderr: a bar on a terminal, else a line at each quarter. Thread-safe.
 class Progress {
  public:
   Progress(int total, bool is_quiet);

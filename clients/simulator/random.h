@@ -7,7 +7,7 @@
 
 namespace dhpmap::simulator {
 
-/// Well mixed bits of x (finaliser of splitmix64).
+/// A hash of x with well-mixed bits (finaliser of splitmix64).
 constexpr std::uint64_t MixBits(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -15,13 +15,13 @@ constexpr std::uint64_t MixBits(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// What a stream of random numbers is for.
+/// Keys of random streams, by purpose.
 inline constexpr std::uint64_t kDepthStream = 1, kPredictionStream = 2, kScoreStream = 3;
 
-/// The same numbers from every compiler and standard library, unlike <random>'s distributions.
+/// Random numbers that are equal for all compilers and standard libraries, unlike those of <random>'s distributions.
 class Random {
  public:
-  /// Streams with other keys are independent: a frame's noise does not depend on which frames were rendered before.
+  /// Streams with different keys are independent, so a frame's noise does not depend on frames rendered before.
   Random(std::uint64_t seed, std::uint64_t frame, std::uint64_t purpose)
       : state_(MixBits(MixBits(MixBits(seed) ^ frame) ^ purpose)) {}
 
@@ -32,7 +32,7 @@ class Random {
   bool Chance(double probability) { return Uniform() < probability; }
   /// In [0, count).
   std::uint32_t Below(std::uint32_t count) { return static_cast<std::uint32_t>(Uniform() * count); }
-  /// Standard normal (Box-Muller, both halves used).
+  /// Standard normal (Box-Muller; uses both results).
   double Gaussian() {
     if (has_spare_) {
       has_spare_ = false;

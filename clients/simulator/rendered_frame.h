@@ -11,13 +11,13 @@
 
 namespace dhpmap::simulator {
 
-/// Row-major images of one size, exact.
+/// Row-major images of one size, without noise.
 struct RenderedFrame {
   PinholeCamera camera;
   Transform T_map_camera = Transform::Identity();  ///< camera: z forward, x right, y down
-  std::vector<float> depth_m;                      ///< along the optical axis; 0 = nothing
-  std::vector<std::uint8_t> instances;             ///< ground-truth ids; 0 = nothing
-  std::vector<Rgb> color;                          ///< empty unless asked for
+  std::vector<float> depth_m;                      ///< along the optical axis; 0: nothing
+  std::vector<std::uint8_t> instances;             ///< ground-truth ids; 0: nothing
+  std::vector<Rgb> color;                          ///< empty unless requested
 };
 
 /// Ray direction (unit, camera frame) of a pixel; integer coordinates are pixel centres.

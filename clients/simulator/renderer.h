@@ -11,11 +11,11 @@
 
 namespace dhpmap::simulator {
 
-/// The flat layout's camera for 640 x 480, scaled with the width: 90 degrees wide.
+/// The flat layout's camera, 90 degrees wide: 640 x 480, scaled with the width.
 PinholeCamera FlatLayoutCamera(int width_px, int height_px);
 
-/// Renders depth and instances by one ray a pixel, colour by more where there are edges. Immutable, so thread-safe; a
-/// frame takes the calling thread. The scene must outlive it.
+/// Renders depth and instances with one ray per pixel, and colour with more rays at edges. Immutable, so thread-safe;
+/// rendering uses only the calling thread. The scene must outlive it.
 class Renderer {
  public:
   enum class Output { kGeometry, kGeometryAndColor };
@@ -26,7 +26,7 @@ class Renderer {
 
  private:
   const ApartmentScene& scene_;
-  std::optional<Shader> shader_;  ///< unless only geometry is wanted
+  std::optional<Shader> shader_;  ///< empty for kGeometry
 };
 
 }  // namespace dhpmap::simulator

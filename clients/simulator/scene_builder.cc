@@ -9,11 +9,11 @@
 namespace dhpmap::simulator {
 namespace {
 
-[[maybe_unused]] constexpr std::size_t kMaxInstances = 255;  // ids are 8-bit pixels
+[[maybe_unused]] constexpr std::size_t kMaxInstances = 255;  // because ids are 8-bit pixels
 
 Eigen::Matrix3d About(const Eigen::Vector3d& axis, double angle_deg) {
   Eigen::Matrix3d R = Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();
-  // Quarter turns come out exact, so that walls stay on their planes.
+  // Make quarter turns exact, so that walls stay in their planes.
   for (double& entry : R.reshaped()) {
     if (std::abs(entry) < 1e-15) entry = 0;
   }

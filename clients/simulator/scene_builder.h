@@ -18,35 +18,35 @@ struct Instance {
   std::string name;  ///< class and running number: "chair_003"
 };
 
-/// Where a piece of furniture stands: its origin is on the ground below its middle, and it faces its own +y.
+/// The place of a piece of furniture: its origin is on the floor below its centre, and its front faces its own +y.
 struct Place {
   double x_m = 0, y_m = 0, z_m = 0;
   double yaw_deg = 0;  ///< counter-clockwise seen from above
 };
 
-/// Puts solids together to a scene. Solids are given in the frame of the instance begun last.
+/// Builds a scene from solids. Solids are given in the frame of the current instance.
 class SceneBuilder {
  public:
   SceneBuilder();
 
-  /// What follows belongs to a new thing of that class.
+  /// The following solids belong to a new thing of this class.
   void BeginThing(ObjectClass object_class, const Place& place);
-  /// What follows belongs to the one instance of that stuff class.
+  /// The following solids belong to the single instance of this stuff class.
   void BeginStuff(ObjectClass object_class, const Place& place = {});
-  /// The next solids are turned about z (then y, then x; degrees) at their own centre; {} = not.
+  /// Rotates the following solids about z (then y, then x; degrees) at their own centre; {}: no rotation.
   void Turn(const Eigen::Vector3d& zyx_deg) { turn_deg_ = zyx_deg; }
 
   using Vector3d = Eigen::Vector3d;
   void Box(const Vector3d& center_m, const Vector3d& full_size_m, const Material& material, double rounding_m = 0);
   void Sphere(const Vector3d& center_m, double radius_m, const Material& material);
-  /// Upright unless turned.
+  /// Upright unless rotated.
   void Cylinder(const Vector3d& center_m, double radius_m, double height_m, const Material& material);
   void Cone(const Vector3d& center_m, double radius_below_m, double radius_above_m, double height_m,
             const Material& material);
   void Torus(const Vector3d& center_m, double ring_radius_m, double tube_radius_m, const Material& material);
   void Capsule(const Vector3d& from_m, const Vector3d& to_m, double radius_m, const Material& material);
 
-  [[nodiscard]] const std::vector<Instance>& instances() const { return instances_; }  ///< by id, 0 = nothing
+  [[nodiscard]] const std::vector<Instance>& instances() const { return instances_; }  ///< by id, 0: nothing
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
   [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
 

@@ -11,9 +11,9 @@ using Eigen::Vector3f;
 
 constexpr float kExposure = 1.25f;
 constexpr float kGloss = 0.05f;
-constexpr double kReachAcross_m = 0.35;  ///< how far a room's light is followed into the next one
+constexpr double kReachAcross_m = 0.35;  ///< how far a room's light reaches into the next room
 
-/// How far outside the room p is, 0 inside.
+/// Distance from p to the room; 0 inside.
 double DistanceToRoom(const Room& room, double x, double y) {
   const double dx = std::max({room.min_x_m - x, 0.0, x - room.max_x_m});
   const double dy = std::max({room.min_y_m - y, 0.0, y - room.max_y_m});
@@ -41,7 +41,7 @@ Rgb Develop(const Light& light) {
     return table;
   }();
   const auto channel = [](float x) {
-    // Linear for dark tones, 1 at infinity.
+    // Linear for dark tones, approaching 1.
     const float y = kExposure * std::max(x, 0.0f);
     const float kept = y < 0.5f ? y : 1.0f - 0.25f / y;
     return kEncoded[static_cast<std::size_t>(kept * 4095.0f)];
@@ -69,7 +69,7 @@ Shader::Shader(const ApartmentScene& scene)
   }
 }
 
-// Share of the surroundings that is not blocked: the distance field along the normal, against that of an open plane.
+// Ambient occlusion: the distance field along the normal, compared with that of an open plane.
 float Shader::Openness(const LitPoint& at) const {
   constexpr std::array<float, 4> kHeights_m{0.05f, 0.12f, 0.26f, 0.45f};
   constexpr std::array<float, 4> kShares{0.2f, 0.22f, 0.26f, 0.32f};
@@ -82,7 +82,7 @@ float Shader::Openness(const LitPoint& at) const {
 }
 
 // Soft shadow by the closest pass of the ray to the light (Quilez, "soft shadows in raymarched SDFs"), but at fixed
-// shares of the way: steps that depend on the distances would draw contour lines on walls.
+// fractions of the ray: steps that depend on distances would draw contour lines on walls.
 float Shader::Visibility(const LitPoint& at, const Source& source) const {
   constexpr std::array<float, 12> kShares{0.035f, 0.06f, 0.09f, 0.13f, 0.18f, 0.24f,
                                           0.31f,  0.39f, 0.48f, 0.58f, 0.69f, 0.81f};
@@ -133,7 +133,7 @@ Light Shader::FromRooms(const LitPoint& at) const {
 }
 
 Light Shader::Illumination(const LitPoint& at) const {
-  // Light from all around: warm from below off the floor, a little more and colder from above.
+  // Ambient light: warm from the floor, slightly brighter and colder from above.
   const float up = 0.5f + 0.5f * at.normal.z();
   const Light around = Light(0.34f, 0.31f, 0.28f) * (1 - up) + Light(0.40f, 0.41f, 0.43f) * up;
   return around * Openness(at) + FromRooms(at);

@@ -17,30 +17,30 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-/// Camera response: bright light saturates softly.
+/// Camera response: bright light saturates smoothly.
 Rgb Develop(const Light& light);
 
-/// A point of a surface and who looks at it; map frame, unit vectors.
+/// A surface point and the direction to the viewer; map frame, unit vectors.
 struct LitPoint {
   Eigen::Vector3f p_m, normal, to_eye;
 };
 
-/// Lights the apartment: every room by its ceiling lamp and its windows, with soft shadows, darker in corners. What a
-/// point looks like depends on the view only by faint highlights. Immutable, so thread-safe.
+/// Illuminates the apartment: each room by its ceiling lamp and windows, with soft shadows and darker corners. Only
+/// faint highlights depend on the view. Immutable, so thread-safe.
 class Shader {
  public:
   explicit Shader(const ApartmentScene& scene);
-  /// Light that falls on a point: smooth but for edges, and by far the dearest part of a picture.
+  /// Incoming light at a point: smooth except at edges, and by far the most expensive part of a picture.
   [[nodiscard]] Light Illumination(const LitPoint& at) const;
-  /// Light that comes from a point so lit; `footprint_m` is the size of a pixel there.
+  /// Outgoing light of a point with this illumination; `footprint_m` is the size of a pixel there.
   [[nodiscard]] Light Reflection(const SurfacePoint& at, const Light& illumination) const;
 
  private:
   struct Source {
     Eigen::Vector3f position_m;
-    Eigen::Vector3f facing;  ///< zero: shines all around
+    Eigen::Vector3f facing;  ///< zero: emits in all directions
     Light light;
-    float softness;  ///< larger = harder shadows
+    float softness;  ///< larger values give harder shadows
   };
 
   [[nodiscard]] float Openness(const LitPoint& at) const;

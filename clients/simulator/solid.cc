@@ -10,9 +10,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTouching_m = 1e-7;
-constexpr int kMaxSteps = 1000;  // only rings seen at grazing incidence come near it
+constexpr int kMaxSteps = 1000;  // only tori at grazing incidence come near this
 
-/// std::hypot guards against overflow, which costs ten times as much.
+/// Without the overflow protection of std::hypot, which costs ten times as much.
 double Length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 double BoxDistance(const Vector3d& p, const Vector3d& half) {
@@ -30,7 +30,7 @@ double CapsuleDistance(const Vector3d& p, double radius, double half_length) {
   return Vector3d(p.x(), p.y(), p.z() - std::clamp(p.z(), -half_length, half_length)).norm() - radius;
 }
 
-/// Truncated cone: the nearer of cap and flank, in the half plane (r, z).
+/// Truncated cone: the nearer of cap and side, in the half plane (r, z).
 double ConeDistance(const Vector3d& p, double below, double above, double h) {
   const Eigen::Vector2d q(Length(p.x(), p.y()), p.z());
   const Eigen::Vector2d cap(q.x() - std::min(q.x(), q.y() < 0 ? below : above), std::abs(q.y()) - h);
@@ -46,7 +46,7 @@ double TorusDistance(const Vector3d& p, double ring, double tube) {
   return Length(Length(p.x(), p.y()) - ring, p.z()) - tube;
 }
 
-/// Interval of the ray inside a box about the origin.
+/// The part of a ray inside a box around the origin.
 struct Interval {
   double enter_m, leave_m;
   [[nodiscard]] bool is_empty() const { return !(enter_m <= leave_m); }
@@ -57,14 +57,14 @@ Interval BoxInterval(const Ray& ray, const Vector3d& half) {
   for (int i = 0; i < 3; ++i) {
     const double inverse = 1.0 / ray.direction[i];
     const double t0 = (-half[i] - ray.origin_m[i]) * inverse, t1 = (half[i] - ray.origin_m[i]) * inverse;
-    // Written so that NaN (a ray in the plane of a face) leaves the interval as it is.
+    // This order keeps the interval if a value is NaN (a ray in the plane of a face).
     interval.enter_m = std::max(interval.enter_m, std::min(t0, t1));
     interval.leave_m = std::min(interval.leave_m, std::max(t0, t1));
   }
   return interval;
 }
 
-/// Interval inside |projection onto `axes`| <= radius; about the point of closest approach, so as not to lose digits.
+/// The interval inside |projection onto `axes`| <= radius, around the point of closest approach, for precision.
 Interval RoundInterval(const Ray& ray, const Vector3d& axes, double radius) {
   const Vector3d o = ray.origin_m.cwiseProduct(axes), d = ray.direction.cwiseProduct(axes);
   const double a = d.squaredNorm();
@@ -82,7 +82,8 @@ Interval Common(const Interval& a, const Interval& b) {
   return {std::max(a.enter_m, b.enter_m), std::min(a.leave_m, b.leave_m)};
 }
 
-/// A capsule is the union of a cylinder and two spheres, all convex: it is entered where the first of them is.
+/// A capsule is the union of a cylinder and two spheres, all convex: the ray enters at the first entry into one of
+/// them.
 Interval CapsuleInterval(const Ray& ray, double radius, double half_length) {
   Interval whole = Common(RoundInterval(ray, {1, 1, 0}, radius), BoxInterval(ray, {kFar_m, kFar_m, half_length}));
   for (double end : {-half_length, half_length}) {
@@ -166,11 +167,11 @@ std::optional<double> Solid::Intersect(const Ray& ray_map, double max_m) const {
   return t && *t > 0 && *t < max_m ? t : std::nullopt;
 }
 
-/// Whether a point of the sharp box's surface is on the rounded one, too.
+/// Whether a point on the sharp box's surface is also on the rounded one.
 bool Solid::IsOnFlatFace(const Vector3d& p) const { return ((p.cwiseAbs() - size_m).array() > -radius_m).count() <= 1; }
 
-// The distance is exact, so steps of it never go too far. Along a line it is convex (but for the torus), so that steps
-// by the secant do not either, and a line that gets no nearer never will.
+// The distance is exact, so a step of its length never overshoots. Along a line it is convex (except for the torus), so
+// secant steps do not overshoot either, and once it stops decreasing it never decreases again.
 std::optional<double> Solid::Approach(const Ray& ray, double from_m, double to_m) const {
   const bool is_convex = shape != Shape::kTorus;
   double t = from_m, distance = LocalDistance(ray.At(t));

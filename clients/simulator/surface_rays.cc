@@ -6,10 +6,10 @@
 namespace dhpmap::simulator {
 namespace {
 
-/// Rays begin so far outside, and so far into a box, that no rounding counts.
+/// Rays start far enough outside, and far enough inside a box, that rounding does not matter.
 constexpr double kOutside_m = 0.01, kRim_m = 1e-4;
 
-/// Coordinates from one side to the other, both sides included, in equal steps of at most `step_m`.
+/// Coordinates from one side to the other, both included, in equal steps of at most `step_m`.
 std::vector<double> Steps(double min_m, double max_m, double step_m) {
   const double inner_m = std::max(max_m - min_m - 2 * kRim_m, 0.0);
   const int num_steps = static_cast<int>(inner_m / step_m) + 1;

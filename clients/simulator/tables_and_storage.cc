@@ -19,7 +19,7 @@ void Table(SceneBuilder& scene, const Eigen::Vector3d& size_m, double leg_m, con
   }
 }
 
-/// A body on a plinth with a grid of drawers or doors with knobs on its front.
+/// A body on a plinth, with a grid of drawers or doors with knobs on its front.
 void Chest(SceneBuilder& scene, const Eigen::Vector3d& size_m, int columns, int rows, const Material& body,
            const Material& front) {
   constexpr double kPlinth_m = 0.06, kGap_m = 0.012;

@@ -12,12 +12,12 @@
 namespace dhpmap::simulator {
 namespace {
 
-// Keeps the order of keys as written.
+// Keeps keys in the order of writing.
 using Json = nlohmann::ordered_json;
 
 bool IsSeen(const InstanceView& view) { return view.margin_px > 0; }
 
-/// The yaw to a hundredth of a degree: 1 mm at 6 m.
+/// Yaw is rounded to 0.01 degrees: 1 mm at 6 m.
 Json SeenBox(const UprightBox& box) {
   return {{"center", RoundedPoint(box.center_m)},
           {"size", RoundedPoint(box.size_m)},
@@ -50,7 +50,7 @@ Json JsonOf(const TruthRelation& relation) {
   return json;
 }
 
-/// Those of one instance to others that were seen.
+/// Relations of one instance to others that were seen.
 Json JsonOfSeen(const std::vector<TruthRelation>& relations, std::uint8_t subject,
                 std::span<const InstanceView> views) {
   Json json = Json::array();

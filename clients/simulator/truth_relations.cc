@@ -22,7 +22,7 @@ constexpr int kDirections = 16, kLeastAroundShelf = 8, kLeastAroundCrate = 14;
 constexpr double kHangs_m = 0.05, kTouch_m = 0.002;
 constexpr double kMostGap_m = 0.5, kLeastHeightShare = 0.5;
 
-/// One thing, and the solids that it may have to do with.
+/// One thing, and the solids that it may be related to.
 struct Furniture {
   std::uint8_t id = 0;
   SolidList own;
@@ -168,7 +168,7 @@ class RelationFinder {
                       .height_share = height_share});
   }
 
-  /// The shortest straight line from points of `a` to what of `b` is nearest to them that meets nothing else.
+  /// The shortest straight line from points of `a` to the nearest point of `b` that meets nothing else.
   static std::optional<double> FreeWay(const Furniture& a, const Furniture& b) {
     std::vector<std::pair<double, Vector3d>> starts;
     for (const Vector3d& p : a.points_m) {
@@ -184,13 +184,14 @@ class RelationFinder {
     for (const auto& [distance_m, p] : starts) {
       if (distance_m <= kColumn_m) return std::max(distance_m, 0.0);
       const Vector3d nearest = p - distance_m * Slope(b.own, p);
-      const bool is_on_it = DistanceTo(b.own, nearest) < kTouch_m;  // not if two solids are as near
+      const bool is_on_it = DistanceTo(b.own, nearest) < kTouch_m;  // false if two solids are equally near
       if (is_on_it && IsFree(others, p, nearest)) return distance_m;
     }
     return std::nullopt;
   }
 
-  /// Near both ends it may touch them, as what hangs at a wall does; elsewhere it may not run along a face of theirs.
+  /// Near both ends the line may touch solids (a picture touches its wall); elsewhere it may not run along a face of
+  /// theirs.
   static bool IsFree(const SolidList& solids, const Vector3d& from, const Vector3d& to) {
     constexpr double kStep_m = 0.005, kEnd_m = 0.02, kClear_m = 0.001;
     const double length_m = (to - from).norm();
@@ -202,7 +203,7 @@ class RelationFinder {
     return true;
   }
 
-  /// Of the distance to solids, outside them.
+  /// Gradient of the distance to solids, outside them.
   static Vector3d Slope(const SolidList& solids, const Vector3d& p) {
     constexpr double kStep_m = 1e-5;
     Vector3d slope;
@@ -226,7 +227,7 @@ class RelationFinder {
 
   std::span<const Instance> instances_;
   std::vector<SolidList> solids_of_;  ///< by instance
-  std::vector<Furniture> things_;     ///< by ascending id
+  std::vector<Furniture> things_;     ///< sorted by id
   std::vector<TruthRelation> found_;
 };
 

@@ -22,7 +22,7 @@ static_assert(kChunkPoints == PermutohedralLattice<6>::kChunkPoints);
 
 std::size_t NumChunks(std::size_t num_points) { return (num_points + kChunkPoints - 1) / kChunkPoints; }
 
-/// The box around the points that have a position.
+/// Bounds of the points with a finite position.
 Eigen::AlignedBox3f BoundsOf(std::span<const CrfPoint> points) {
   Eigen::AlignedBox3f bounds;
   for (const CrfPoint& point : points) {
@@ -34,7 +34,7 @@ Eigen::AlignedBox3f BoundsOf(std::span<const CrfPoint> points) {
 }  // namespace
 
 struct DenseCrf::Impl {
-  /// One kernel: its lattice, and a row of values for each of its rows.
+  /// One kernel: its lattice, and a row of values for each of the lattice's rows.
   template <int D>
   struct Kernel {
     PermutohedralLattice<D> lattice;
@@ -52,13 +52,13 @@ struct DenseCrf::Impl {
   explicit Impl(ThreadPool& thread_pool) : pool(thread_pool) {}
 
   void SortPoints(std::span<const CrfPoint> points);
-  /// Gives the number of vertices.
+  /// Returns the number of vertices.
   template <int D>
   std::size_t BuildKernel(std::span<const CrfPoint> points, const CrfKernel& config, Kernel<D>& kernel);
 
   ThreadPool& pool;
   Eigen::Vector3f origin_m = Eigen::Vector3f::Zero();
-  GrowBuffer<std::uint32_t> order;  ///< points near each other lie together
+  GrowBuffer<std::uint32_t> order;  ///< sorts the points so that neighbours are close in memory
   Kernel<3> smoothness;
   Kernel<6> appearance;
   std::vector<MeanFieldScratch> scratch;
@@ -83,8 +83,8 @@ template <int D>
 std::size_t DenseCrf::Impl::BuildKernel(std::span<const CrfPoint> points, const CrfKernel& config, Kernel<D>& kernel) {
   kernel.is_on = config.weight > 0 && !points.empty();
   if (!kernel.is_on) return 0;
-  // Paper eq. (5): p / theta_1 and, of the appearance kernel, o / theta_2, so that a unit Gaussian is left to filter.
-  constexpr float kFarthest = 1e6f;  // kernel widths; keeps lattice coordinates within integers
+  // Paper eq. (5): p / theta_1 and, for the appearance kernel, o / theta_2, so that the filter is a unit Gaussian.
+  constexpr float kFarthest = 1e6f;  // in kernel widths; keeps lattice coordinates within the range of integers
   const auto per_m = static_cast<float>(1.0 / config.position_m);
   const float per_color = D == 6 ? static_cast<float>(1.0 / config.color) : 0.0f;
   GrowBuffer<typename PermutohedralLattice<D>::Feature> features;

@@ -12,19 +12,19 @@
 namespace dhpmap {
 namespace {
 
-// Sizes of pieces of work: fixed, so that nothing depends on the number of threads.
+// Sizes of work items: fixed, so that results do not depend on the number of threads.
 constexpr std::size_t kPieceRows = 8192;
 constexpr std::size_t kPieceGhosts = 4096;
 
 }  // namespace
 
-/// What one thread works with. Numbers the keys of a chunk in the order in which they come up.
+/// The working memory of one thread. Numbers the keys of a chunk in order of appearance.
 template <int D>
 struct alignas(kCacheLineBytes) LatticeBuilder<D>::Lane {
   ScratchVector<std::uint16_t> slots = ScratchVector<std::uint16_t>(2048, kFree);
   ScratchVector<std::uint32_t> hashes;  ///< by number
   ScratchVector<Key> keys;              ///< by number
-  // Keys of all chunks that the lane has done, in blocks too large to leave holes in the heap.
+  // Keys of all chunks of the lane, in blocks large enough not to fragment the heap.
   std::vector<GrowBuffer<Key>> blocks;
   std::size_t block_used = 0;
 
@@ -60,7 +60,7 @@ struct alignas(kCacheLineBytes) LatticeBuilder<D>::Lane {
     }
   }
 
-  /// Puts the keys where they stay. `most_keys`: that can still come up in all.
+  /// Moves the keys to permanent memory. `most_keys`: upper limit of the keys still to come.
   std::span<const Key> Keep(std::size_t most_keys) {
     constexpr std::size_t kBlockKeys = (std::size_t{8} << 20) / sizeof(Key);
     if (blocks.empty() || block_used + keys.size() > blocks.back().size()) {
@@ -160,7 +160,7 @@ void LatticeBuilder<D>::JoinPart(std::size_t part, const LatticeGraph& graph) {
 
 template <int D>
 void LatticeBuilder<D>::CollectGhosts(LatticeGraph& graph) const {
-  // Sorted by counting how many ghosts each vertex has.
+  // Counting sort by the number of ghosts of each vertex.
   ScratchVector<std::uint32_t> begin(graph.num_rows() + 1, 0);
   std::size_t num_ghosts = 0;
   for (std::size_t row = 0; row < graph.num_rows(); ++row) {
@@ -201,7 +201,7 @@ std::uint32_t LatticeBuilder<D>::Find(Key key, std::uint32_t hash) const {
 
 template <int D>
 void LatticeBuilder<D>::FindNext(int axis, std::size_t begin, std::size_t end) {
-  // The table is far larger than the caches: the places to look at are asked for some rows ahead.
+  // The table is far larger than the caches, so entries are prefetched some rows ahead.
   constexpr std::size_t kBatchRows = 64;
   std::array<std::uint32_t, kBatchRows> hashes;
   for (; begin < end; begin += kBatchRows) {
@@ -215,7 +215,7 @@ void LatticeBuilder<D>::FindNext(int axis, std::size_t begin, std::size_t end) {
       const bool is_vertex = vertex_[row] == row;
       next_[row] = is_vertex ? Find(LatticeEmbedding<D>::Next(keys_[row], axis), hashes[row - begin]) : kNone;
       if (next_[row] != kNone)
-        has_previous_[next_[row]] = 1;  // a row has one previous at most: no two threads write it
+        has_previous_[next_[row]] = 1;  // a row has at most one previous row: no two threads write it
     }
   }
 }

@@ -8,9 +8,9 @@
 namespace dhpmap {
 namespace {
 
-constexpr std::size_t kLookAhead = 16;  // rows, found by prefetching
+constexpr std::size_t kLookAhead = 16;  // rows to prefetch
 
-/// Convolves the chains in [i, end) on the N vectors of a row that begin at `values`.
+/// Convolves the chains in [i, end) for the N vectors of a row that begin at `values`.
 template <int N>
 DHPMAP_ALWAYS_INLINE void BlurChains(const std::uint32_t* chains, std::size_t i, std::size_t end, float* values,
                                      std::size_t stride) {
@@ -42,7 +42,7 @@ DHPMAP_ALWAYS_INLINE void BlurChains(const std::uint32_t* chains, std::size_t i,
 
 DHPMAP_VECTOR_CLONES
 void BlurPiece(const std::uint32_t* chains, std::size_t begin, std::size_t end, float* values, std::size_t channels) {
-  // Up to 4 vectors at a time fit into registers.
+  // Up to 4 vectors fit into registers.
   std::size_t c = 0;
   for (; c + 32 <= channels; c += 32) BlurChains<4>(chains, begin, end, values + c, channels);
   switch ((channels - c) / 8) {

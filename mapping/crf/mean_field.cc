@@ -12,20 +12,20 @@ namespace dhpmap {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr std::size_t kBlockPoints = 16;  // worked on together, in the nearest cache
-constexpr float kSurest = 1e30f;          // a unary of -infinity counts as this, to keep differences finite
+constexpr std::size_t kBlockPoints = 16;  // processed together, in the first-level cache
+constexpr float kSurest = 1e30f;          // replaces a unary of -infinity, to keep differences finite
 
-/// Some consecutive points of a chunk, and N vectors of each row of what belongs to them: the others are c floats away.
+/// Consecutive points of a chunk, and N vectors of each row that belongs to them; other vectors are c floats away.
 struct Points {
   std::size_t begin, end;  ///< of the chunk
   const LatticeChunk<3>& smoothness;
   const LatticeChunk<6>& appearance;
-  float *smoothness_rows, *appearance_rows;  ///< to slice from or to splat to
-  float* q;                                  ///< a row for each point
+  float *smoothness_rows, *appearance_rows;  ///< source of slicing or target of splatting
+  float* q;                                  ///< one row for each point
   std::size_t stride;
 };
 
-/// sum += the values interpolated at a point.
+/// Adds the values interpolated at a point to `sum`.
 template <int N, typename Corners>
 DHPMAP_ALWAYS_INLINE void Slice(const Corners& corners, const float* rows, std::size_t stride, Float8* sum) {
   for (std::size_t k = 0; k < corners.row.size(); ++k) {
@@ -74,7 +74,7 @@ DHPMAP_ALWAYS_INLINE void SplatPoints(const Points& points, std::size_t c) {
   }
 }
 
-// Up to 4 vectors at a time fit into registers.
+// Up to 4 vectors fit into registers.
 DHPMAP_ALWAYS_INLINE void SliceAll(const Points& points) {
   std::size_t c = 0;
   for (; c + 32 <= points.stride; c += 32) SlicePoints<4>(points, c);
@@ -101,16 +101,16 @@ DHPMAP_ALWAYS_INLINE const RowMask8& MaskOf(const LabelLayout::Part& part) {
   return *reinterpret_cast<const RowMask8*>(part.mask.data());
 }
 
-/// Subtracts the v-th vector of unaries; -infinity where a label is impossible.
+/// Subtracts the v-th vector of unaries; the result is -infinity for impossible labels.
 DHPMAP_ALWAYS_INLINE void SubtractVector(const float* unaries, int v, float* q) {
   const Float8 u = Vector8(unaries, 0).x;
   const Float8 x = Vector8(q, v).x - (u > -kSurest ? u : Float8{} - kSurest);
   Vector8(q, v).x = u < kInfinity ? x : Float8{} - kInfinity;
 }
 
-/// The exponent of paper eq. (1), -E by label: what the pairwise terms of eq. (4) say for a label, which is in q, less
-/// the unary term of eq. (3). q = (q - unaries) less its greatest element of the kind. `tail`: the last unaries, that
-/// are not a whole vector, with infinite padding.
+/// The exponent of paper eq. (1), -E by label: the pairwise terms of eq. (4), given in q, minus the unary term of eq.
+/// (3). q = (q - unaries) minus its maximum within each kind of labels. `tail`: the last unaries, which do not fill a
+/// vector, padded with infinity.
 DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float* unaries, const float* tail,
                                           float* q) {
   const auto num_whole = static_cast<int>(layout.num_labels / 8);
@@ -130,7 +130,7 @@ DHPMAP_ALWAYS_INLINE void SubtractUnaries(const LabelLayout& layout, const float
   }
 }
 
-/// Z of paper eq. (1), a kind of labels and a point at a time.
+/// Z of paper eq. (1), for each kind of labels and each point.
 DHPMAP_ALWAYS_INLINE void ScaleToOne(const LabelLayout& layout, float* q) {
   for (const LabelLayout::Kind& kind : layout.kinds) {
     Float8 sum = {};
@@ -143,7 +143,7 @@ DHPMAP_ALWAYS_INLINE void ScaleToOne(const LabelLayout& layout, float* q) {
   }
 }
 
-/// Copies less than 8 floats. Not a whole vector with too much in it: what follows may be another thread's.
+/// Copies fewer than 8 floats. Does not write a whole vector, because another thread may own the memory after them.
 DHPMAP_ALWAYS_INLINE void CopyTail(const float* from, std::size_t n, float* to) {
   if (n & 4) {
     std::memcpy(to, from, 4 * sizeof(float));
@@ -158,7 +158,7 @@ DHPMAP_ALWAYS_INLINE void CopyTail(const float* from, std::size_t n, float* to) 
   if (n & 1) *to = *from;
 }
 
-/// Where all labels of a kind are impossible, the unaries become 0.
+/// Sets the unaries of a kind to 0 if all its labels are impossible.
 void SettleUnaries(const LabelLayout& layout, float* unaries) {
   for (const LabelLayout::Kind& kind : layout.kinds) {
     float *begin = unaries + kind.begin, *end = unaries + kind.end;
@@ -166,8 +166,8 @@ void SettleUnaries(const LabelLayout& layout, float* unaries) {
   }
 }
 
-/// One pass for some points, step by step for all of them: each step is a chain of dependent operations for one point,
-/// but independent of the others. `points` slices from the chunk, `sums` splats to working memory.
+/// One pass over some points, each step for all of them: for one point the steps are a chain of dependent operations,
+/// but points are independent. `points` slices from the chunk, `sums` splats to working memory.
 DHPMAP_VECTOR_CLONES
 void RunPoints(MeanFieldPass pass, const LabelLayout& layout, std::span<const std::uint32_t> order,
                const Points& points, const Points& sums, std::span<float> values, float* tails) {

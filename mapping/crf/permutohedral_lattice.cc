@@ -28,7 +28,7 @@ void PermutohedralLattice<D>::Normalize(float weight, ThreadPool& pool) {
   pool.ParallelFor(num_chunks(), [&](std::size_t chunk) {
     const std::size_t end = std::min(num_points(), (chunk + 1) * kChunkPoints);
     for (std::size_t i = chunk * kChunkPoints; i < end; ++i) {
-      // Positive: the self term alone is at least 1/(D+1). The weights are used once to splat and once to slice.
+      // Positive, because the self term alone is at least 1/(D+1). Weights are used once to splat and once to slice.
       corners_[i].scale *= std::sqrt(factor / sums[i]);
     }
   });

@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// Puts two zeros before each of the 10 bits.
+/// Inserts two zeros before each of the 10 bits.
 std::uint32_t SpreadBits(std::uint32_t x) {
   x = (x | (x << 16)) & 0x030000FFu;
   x = (x | (x << 8)) & 0x0300F00Fu;
@@ -24,7 +24,7 @@ std::uint32_t SpreadBits(std::uint32_t x) {
 std::uint32_t MortonCode(const Eigen::Vector3f& fraction) {
   std::uint32_t code = 0;
   for (int i = 0; i < 3; ++i) {
-    // Written so that a NaN becomes 0.
+    // This form maps NaN to 0.
     const float cell = fraction[i] > 0.0f ? std::min(fraction[i] * 1024.0f, 1023.0f) : 0.0f;
     code |= SpreadBits(static_cast<std::uint32_t>(cell)) << i;
   }
@@ -36,7 +36,7 @@ void SortByCode(GrowBuffer<std::uint32_t>& codes, GrowBuffer<std::uint32_t>& ord
   constexpr std::size_t kBuckets = std::size_t{1} << kBits;
   constexpr std::size_t kPiece = 1 << 16;
   const std::size_t num_pieces = (codes.size() + kPiece - 1) / kPiece;
-  ScratchVector<std::array<std::uint32_t, kBuckets>> places(num_pieces);  // first counts, then where the next one goes
+  ScratchVector<std::array<std::uint32_t, kBuckets>> places(num_pieces);  // first counts, then the next positions
   GrowBuffer<std::uint32_t> next_codes, next_order;
   next_codes.Resize(codes.size());
   next_order.Resize(codes.size());

@@ -12,7 +12,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Row kNoRow{kInfinity, -kInfinity};
 
-/// Around both; they touch, or one is none.
+/// The union of two ranges that touch, or one of which is empty.
 Row Both(const Row& a, const Row& b) { return {std::min(a.first_m, b.first_m), std::max(a.last_m, b.last_m)}; }
 
 Row RowInBall(const Eigen::Vector3d& center_m, double radius_m, double y_m, double z_m) {
@@ -23,7 +23,7 @@ Row RowInBall(const Eigen::Vector3d& center_m, double radius_m, double y_m, doub
   return {center_m.x() - half_m, center_m.x() + half_m};
 }
 
-/// Where low <= start + x * slope <= high.
+/// The range in which low <= start + x * slope <= high.
 Row Between(double start, double slope, double low, double high) {
   constexpr double kParallel = 1e-12;
   if (std::abs(slope) < kParallel) return start >= low && start <= high ? Row{-kInfinity, kInfinity} : kNoRow;
@@ -33,7 +33,7 @@ Row Between(double start, double slope, double low, double high) {
 
 Row Common(const Row& a, const Row& b) { return {std::max(a.first_m, b.first_m), std::min(a.last_m, b.last_m)}; }
 
-/// In the capsule without its round ends.
+/// Inside the capsule without its spherical ends.
 Row RowInCylinder(const Capsule& capsule, double y_m, double z_m) {
   const Eigen::Vector3d axis = capsule.b_m - capsule.a_m;
   const double length_m = axis.norm();

@@ -22,7 +22,7 @@ void Improve(NearestPoints& best, const Eigen::Vector3d& on_segment, const Eigen
   if (distance2 < best.distance2) best = {on_segment, on_triangle, distance2, false};
 }
 
-/// Of two segments the points that are nearest to each other (Ericson, Real-Time Collision Detection, 5.1.9).
+/// Updates `best` with the nearest points of two segments (Ericson, Real-Time Collision Detection, 5.1.9).
 void ImproveBySegments(NearestPoints& best, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                        const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
   const Eigen::Vector3d u = b - a, v = d - c, w = a - c;
@@ -38,7 +38,7 @@ void ImproveBySegments(NearestPoints& best, const Eigen::Vector3d& a, const Eige
   Improve(best, a + s * u, c + t * v);
 }
 
-/// Where the segment goes through the triangle.
+/// The point where the segment crosses the triangle.
 std::optional<Eigen::Vector3d> Crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Corners& t,
                                         const Eigen::Vector3d& normal) {
   const double of_a = normal.dot(a - t[0]), of_b = normal.dot(b - t[0]);
@@ -50,8 +50,7 @@ std::optional<Eigen::Vector3d> Crossing(const Eigen::Vector3d& a, const Eigen::V
   return p;
 }
 
-/// The triangle's part in the box, both in the box's frame (Sutherland and Hodgman 1974): a point of it, if there is
-/// any.
+/// A point of the triangle inside the box, if there is one; both in the box's frame (Sutherland and Hodgman 1974).
 std::optional<Eigen::Vector3d> PointInBox(const Corners& triangle, const Eigen::Vector3d& half) {
   std::array<Eigen::Vector3d, 10> polygon, clipped;
   std::copy(triangle.begin(), triangle.end(), polygon.begin());
@@ -76,7 +75,7 @@ std::optional<Eigen::Vector3d> PointInBox(const Corners& triangle, const Eigen::
   return sum / static_cast<double>(count);
 }
 
-/// Between a box and a triangle that do not meet: from the corners and edges of either to the other.
+/// The nearest points of a box and a triangle that do not intersect: from the corners and edges of each to the other.
 NearestPoints NearestToBox(const Corners& triangle, const TriangleCorners& rounded, const Eigen::Vector3d& half) {
   NearestPoints best{{}, {}, std::numeric_limits<double>::infinity(), false};
   for (const Eigen::Vector3d& corner : triangle) Improve(best, corner.cwiseMax(-half).cwiseMin(half), corner);

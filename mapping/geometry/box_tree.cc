@@ -7,13 +7,12 @@
 
 namespace dhpmap {
 
-/// Puts the least of some boxes' centres along an axis before the others, by comparisons that no branch depends on:
-/// half of what std::nth_element takes.
+/// Partitions boxes by their centres along an axis, without data-dependent branches: twice as fast as std::nth_element.
 class BoxTree::Halver {
  public:
   explicit Halver(std::size_t most) : low_(most + 1), high_(most + 1), others_(most + 1) {}
 
-  /// The first `count` of the part, at least one, and no other comes before them. Of equals those that were first.
+  /// Moves the `count` smallest of the part, at least one, to its front. On ties earlier ones come first.
   void Halve(std::span<Centre> part, std::size_t count, int axis) {
     for (std::size_t i = 0; i < part.size(); ++i) low_[i] = KeyOf(part[i].at[axis], i);
     const std::uint64_t last = Select(part.size(), count - 1);
@@ -30,18 +29,18 @@ class BoxTree::Halver {
   }
 
  private:
-  /// In the order of the coordinates, then of the places; all are distinct.
+  /// Sort key by coordinate, then by place; all keys are distinct.
   static std::uint64_t KeyOf(float coordinate, std::size_t place) {
     const auto bits = std::bit_cast<std::uint32_t>(coordinate);
     const std::uint32_t ordered = bits ^ (bits >> 31 != 0 ? 0xFFFFFFFFu : 0x80000000u);
     return std::uint64_t{ordered} << 32 | place;
   }
-  /// The one that `rank` of the first `count` of low_ are less than; uses them up.
+  /// The element with `rank` smaller ones among the first `count` of low_; destroys their order.
   std::uint64_t Select(std::size_t count, std::size_t rank) {
     std::uint64_t* keys = low_.data();
     auto num_passes_left = 2 * std::bit_width(count);
     while (count > 2) {
-      if (num_passes_left-- == 0) {  // of an order that its pivots do not suit
+      if (num_passes_left-- == 0) {  // the input defeats the pivots
         std::nth_element(keys, keys + rank, keys + count);
         return keys[rank];
       }
@@ -49,7 +48,7 @@ class BoxTree::Halver {
       if (a > pivot) std::swap(a, pivot);
       if (pivot > c) pivot = std::max(a, c);
       std::size_t num_low = 0, num_high = 0;
-      for (std::size_t i = 0; i < count; ++i) {  // one of the two is where the keys are, and never ahead of them
+      for (std::size_t i = 0; i < count; ++i) {  // writes never overtake reads, although one target is the source
         const std::uint64_t key = keys[i];
         low_[num_low] = key;
         high_[num_high] = key;
@@ -105,8 +104,8 @@ BoxTree::BoxTree(std::span<const Eigen::AlignedBox3f> boxes, std::size_t leaf_si
   BuildLevels(boxes, leaf_size);
 }
 
-/// Cuts the items into eight parts, halving along the longest side three times, so that all but the last part are full
-/// trees of `child_capacity` items; then each part likewise.
+/// Cuts the items into eight parts by halving three times along the longest side, so that all but the last part are
+/// full trees of `child_capacity` items; then recurses into each part.
 void BoxTree::Arrange(std::span<Centre> items, std::size_t child_capacity, Halver& halver) {
   if (child_capacity <= 1 && items.size() <= kLanes) return;
   const auto halve = [&](const auto& self, std::span<Centre> part, std::size_t num_children) -> void {

@@ -12,7 +12,7 @@ FieldNormals::FieldNormals(std::size_t num_triangles) : entries_(std::bit_ceil(1
 
 namespace {
 
-/// Sums of a few of these are 0 by chance once in 2^64.
+/// A hash; sums of a few hashes are 0 by chance once in 2^64.
 std::uint64_t Mix(std::uint64_t value) {
   value = (value ^ value >> 30) * 0xBF58476D1CE4E5B9ull;
   value = (value ^ value >> 27) * 0x94D049BB133111EBull;
@@ -28,7 +28,7 @@ std::uint64_t FieldNormals::KeyOf(const Eigen::Vector3f& corner) {
     const auto step = static_cast<std::uint64_t>(double{corner[axis]} * kSteps_per_m + kHalf + 0.5);
     key = key << 21 | (step & 0x1FFFFFu);
   }
-  return key;  // bit 63 set, for the one in front
+  return key;  // with bit 63 set for the front side
 }
 
 std::uint64_t FieldNormals::KeyOf(std::uint32_t a, std::uint32_t b) {

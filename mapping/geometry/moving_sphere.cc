@@ -8,18 +8,18 @@
 namespace dhpmap {
 namespace {
 
-/// The distance to something convex is convex along the way, so from before the first touch Newton's steps never go
-/// beyond it (and what does not come nearer never will).
+/// The distance to a convex shape is convex along the motion, so Newton's steps from before the first contact never
+/// pass it, and once the distance stops decreasing, it never decreases again.
 template <typename NearestPoint>
 std::optional<double> FirstTouch(const SphereStep& step, const NearestPoint& nearest_to) {
   constexpr double kTouch_m = 2e-6;  // single precision of the triangles
-  constexpr int kMostSteps = 64;     // grazing halves the gap each time
+  constexpr int kMostSteps = 64;     // at grazing contact a step halves the gap
   double share = 0;
   for (int i = 0; i < kMostSteps; ++i) {
     const Eigen::Vector3d center = step.CenterAt(share);
     const Eigen::Vector3d away = center - nearest_to(center);
     const double distance_m = away.norm(), gap_m = distance_m - step.radius_m - share * step.growth_m;
-    if (std::isnan(gap_m)) return std::nullopt;  // a triangle without an area
+    if (std::isnan(gap_m)) return std::nullopt;  // a degenerate triangle
     if (gap_m <= kTouch_m) return share;
     const double slope = away.dot(step.way_m) / distance_m - step.growth_m;
     if (slope >= 0) return std::nullopt;
@@ -48,7 +48,7 @@ RigidPath::RigidPath(std::span<const Transform> waypoints, double reach_m) {
     const Eigen::Quaterniond from(waypoints[i].linear()), to(waypoints[i + 1].linear());
     const Eigen::Vector3d start = waypoints[i].translation(), way = waypoints[i + 1].translation() - start;
     const double turn_rad = from.angularDistance(to);
-    // An arc of angle a is r (1 - cos(a / 2)) away from its chord, less than r a^2 / 8.
+    // The distance of an arc of angle a from its chord is r (1 - cos(a / 2)), less than r a^2 / 8.
     const double num_cuts = std::clamp(std::ceil(turn_rad * std::sqrt(reach_m / (8 * kFine_m))), 1.0, kMostCuts);
     margin_m_ = std::max(margin_m_, reach_m * (1 - std::cos(turn_rad / num_cuts / 2)));
     for (double cut = 0; cut < num_cuts; ++cut) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kBitsAnAxis = 10;
 
-/// The lowest ten bits, two places apart.
+/// Spreads the lowest ten bits, with two zeros between them.
 constexpr std::uint32_t Spread(std::uint32_t bits) {
   bits = (bits | bits << 16) & 0x030000FFu;
   bits = (bits | bits << 8) & 0x0300F00Fu;
@@ -22,7 +22,7 @@ struct Keyed {
   std::uint32_t key, number;
 };
 
-/// Sorts by ten bits of the key, keeping the order of equals.
+/// A stable sort by ten bits of the key.
 void SortBy(int shift, const std::vector<Keyed>& from, std::vector<Keyed>& to) {
   constexpr std::uint32_t kMask = (1u << kBitsAnAxis) - 1;
   std::array<std::uint32_t, (std::size_t{1} << kBitsAnAxis) + 1> first{};
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> OrderAlongCurve(std::span<const Eigen::Vector3d> poin
   const double scale = side > 0 ? (kCells - 1) / side : 0;
   const auto cell_of = [&](const Eigen::Vector3d& p, int axis) {
     const double cell = (p[axis] - box.min()[axis]) * scale;
-    return cell > 0 ? static_cast<std::uint32_t>(std::min(cell, kCells - 1)) : 0;  // NaN: the box is beyond all numbers
+    return cell > 0 ? static_cast<std::uint32_t>(std::min(cell, kCells - 1)) : 0;  // NaN if the box is infinite
   };
   std::vector<Keyed> points_of_key(points.size()), other(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -13,7 +13,7 @@ bool HasCorner(const TriangleCorners& triangle, const Eigen::Vector3f& corner, f
                      [&](const Eigen::Vector3f& other) { return (other - corner).squaredNorm() <= same_m * same_m; });
 }
 
-/// Of the edge from `a` to `b` of one of the triangles.
+/// Whether another triangle has the edge from `a` to `b`.
 bool IsShared(std::span<const TriangleCorners> triangles, std::size_t own, const Eigen::Vector3f& a,
               const Eigen::Vector3f& b, float same_m) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -15,7 +15,7 @@ std::vector<Eigen::AlignedBox3f> BoxesOf(const std::vector<TriangleCorners>& tri
 
 }  // namespace
 
-/// By the Voronoi regions of corners, edges and face (Ericson, Real-Time Collision Detection, 5.1.5).
+/// By Voronoi regions of corners, edges and face (Ericson, Real-Time Collision Detection, 5.1.5).
 Eigen::Vector3f NearestPointOf(const TriangleCorners& triangle, const Eigen::Vector3f& p) {
   const auto& [a, b, c] = triangle;
   const Eigen::Vector3f ab = b - a, ac = c - a, ap = p - a;

@@ -20,13 +20,13 @@ static_assert(std::endian::native == std::endian::little, "records are copied as
 constexpr std::size_t kGlbVertexBytes = 20;
 constexpr std::size_t kNormalOffset = 8, kColorOffset = 12;
 constexpr double kSteps = 65535;
-// What glTF calls its types.
+// Constants of glTF.
 constexpr int kByte = 5120, kShort = 5123, kInt = 5125, kArrayBuffer = 34962, kElementBuffer = 34963;
 
 struct Quantisation {
   Eigen::Vector3d min_m = Eigen::Vector3d::Zero();
   double side_m = 1;
-  std::array<std::uint16_t, 3> low{}, high{};  ///< of the positions that are written
+  std::array<std::uint16_t, 3> low{}, high{};  ///< bounds of the written positions
 
   explicit Quantisation(const Mesh& mesh) {
     if (mesh.vertices_m.empty()) return;
@@ -121,7 +121,7 @@ std::string List(const Values& values) {
   return out + "]";
 }
 
-/// The lists of the file's JSON as they grow.
+/// Builds the lists of the file's JSON.
 class GlbBuilder {
  public:
   void Add(const GlbObject& object) {

@@ -10,8 +10,8 @@
 namespace dhpmap {
 namespace {
 
-// What nav2's map_saver writes. Its loader takes p = 1 - grey / 255 as occupied above occupied_thresh and free below
-// free_thresh. 205 is 0.1961: unknown by the threshold below, but free by the 0.25 that some files have.
+// As written by nav2's map_saver. Its loader treats p = 1 - grey / 255 as occupied above occupied_thresh and as free
+// below free_thresh. 205 is 0.1961: unknown for the threshold below, but free for the 0.25 in some files.
 constexpr unsigned char kFreeGrey = 254, kOccupiedGrey = 0, kUnknownGrey = 205;
 constexpr const char* kThresholds = "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
 
@@ -20,7 +20,7 @@ unsigned char GreyOf(std::int8_t cell) {
   return cell == 0 ? kFreeGrey : kUnknownGrey;
 }
 
-/// Pixels from the top row on.
+/// Pixels from the top row down.
 std::vector<unsigned char> PixelsOf(std::span<const std::int8_t> cells, int width, int height) {
   std::vector<unsigned char> pixels;
   pixels.reserve(cells.size());
@@ -31,7 +31,7 @@ std::vector<unsigned char> PixelsOf(std::span<const std::int8_t> cells, int widt
   return pixels;
 }
 
-/// With all its digits, and never in a form that a YAML reader takes for text.
+/// With full precision, in a form that no YAML reader takes for text.
 std::string Number(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.9f", value);
@@ -40,7 +40,7 @@ std::string Number(double value) {
   return number;
 }
 
-/// In single quotes, in which only they themselves mean anything.
+/// In single quotes, where only quotes need escaping.
 std::string Quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c);

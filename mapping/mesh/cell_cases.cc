@@ -14,7 +14,7 @@ using Triangles = std::vector<std::array<std::uint8_t, 3>>;
 std::uint8_t EdgeBetween(int corner_a, int corner_b) {
   const int axis = std::countr_zero(static_cast<unsigned>(corner_a ^ corner_b));
   const int low = corner_a & corner_b;
-  // k numbers the four edges of an axis by the other two coordinates of the corner.
+  // k numbers the four edges parallel to an axis by the other two coordinates of the corner.
   const int k = (low >> ((axis + 1) % 3) & 1) | (low >> ((axis + 2) % 3) & 1) << 1;
   return static_cast<std::uint8_t>(4 * axis + k);
 }
@@ -26,7 +26,7 @@ std::array<int, 4> FaceCorners(int axis, int side) {
   return {base, base | c, base | b | c, base | b};
 }
 
-/// Bit 2 * axis + side for each of the two faces that an edge lies in.
+/// Bit 2 * axis + side for each of the two faces that contain an edge.
 unsigned FacesOfEdge(int edge) {
   const CellEdge& e = CellEdgeTable()[static_cast<std::size_t>(edge)];
   unsigned faces = 0;
@@ -36,8 +36,8 @@ unsigned FacesOfEdge(int edge) {
   return faces;
 }
 
-/// For each edge the surface crosses, the edge where the outline of the surface goes next. On a face the outline runs
-/// from where the walk along its corners comes inside to where it leaves, which keeps the outside on the right.
+/// For each edge that the surface crosses, the next edge of the surface's outline. On a face the outline goes from
+/// where the walk along its corners enters the inside to where it leaves, so the outside is on its right.
 std::array<int, kCellEdges> LinkEdges(unsigned inside) {
   std::array<int, kCellEdges> next;
   next.fill(-1);
@@ -54,8 +54,8 @@ std::array<int, kCellEdges> LinkEdges(unsigned inside) {
   return next;
 }
 
-/// Splits the polygon into triangles with as few diagonals on faces of the cell as can be: the neighbour cell may draw
-/// the same diagonal, and four triangles would then share an edge. Returns the number of such diagonals.
+/// Triangulates the polygon with as few diagonals on the cell's faces as possible: the neighbouring cell may have the
+/// same diagonal, so that four triangles would share an edge. Returns the number of such diagonals.
 int Triangulate(std::span<const int> polygon, Triangles& triangles) {
   if (polygon.size() < 3) return 0;
   const auto cost_of = [](int a, int b) { return (FacesOfEdge(a) & FacesOfEdge(b)) != 0 ? 1 : 0; };

@@ -27,8 +27,7 @@ void AppendMesh(const Mesh& part, Mesh& whole) {
 
 Color ColorOfId(std::uint32_t id) {
   if (id == 0) return {128, 128, 128};
-  // Steps of the golden ratio never come near a hue used shortly before; saturation and value then tell apart what has
-  // wrapped around.
+  // Multiples of the golden ratio stay away from recent hues; saturation and value separate ids after hues repeat.
   constexpr double kGoldenRatio = 0.6180339887498949;
   const double hue = std::fmod(id * kGoldenRatio, 1.0) * 6;
   const double saturation = 0.55 + 0.15 * (id % 4);

@@ -10,7 +10,7 @@
 namespace dhpmap {
 namespace {
 
-/// Calls visit(BlockIndex) for each block of a tile. Reads none.
+/// Calls visit(BlockIndex) for each block of a tile. Reads no page.
 template <typename Visitor>
 void VisitBlocks(const TileEntry& entry, Visitor&& visit) {
   for (std::uint64_t cells = entry.tile->cells(); cells != 0; cells &= cells - 1) {
@@ -18,7 +18,7 @@ void VisitBlocks(const TileEntry& entry, Visitor&& visit) {
   }
 }
 
-/// A label is that of a voxel at most two from its vertex: within the blocks around.
+/// A vertex has the label of a voxel at most two voxels away, which is in a neighbouring block.
 void AddBlocksAround(const Submap& submap, IndexMap<BlockIndex>& around) {
   for (const TileEntry& entry : submap.blocks().tiles()) {
     VisitBlocks(entry, [&around](BlockIndex block) {
@@ -31,7 +31,7 @@ void AddBlocksAround(const Submap& submap, IndexMap<BlockIndex>& around) {
 
 bool IsNear(const Submap& a, const Submap& b) {
   const BoundingSphere &sphere = a.bounding_sphere(), &other = b.bounding_sphere();
-  // A block around the one, and one around the other.
+  // One block around each.
   const double margin_m = 4 * kBlockSide * a.info().voxel_size_m;
   return (sphere.center_m - other.center_m).norm() <= sphere.radius_m + other.radius_m + margin_m;
 }

@@ -11,7 +11,8 @@
 namespace dhpmap {
 namespace {
 
-/// A piece is whole blocks, and ends after so many vertices or triangles: a block has at most 1,536 and 2,560 more.
+/// A piece consists of whole blocks and ends after this many vertices or triangles; its last block adds at most 1,536
+/// and 2,560.
 constexpr std::size_t kPieceVertices = 4096;
 constexpr std::size_t kPieceTriangles = 8192;
 
@@ -21,8 +22,8 @@ constexpr std::size_t kPieceTriangles = 8192;
 struct MeshStream::Layer {
   SurfaceField field;
   SurfaceExtractor surface;
-  std::size_t first_vertex;    ///< of the whole mesh
-  std::size_t first_triangle;  ///< likewise
+  std::size_t first_vertex;    ///< in the whole mesh
+  std::size_t first_triangle;  ///< in the whole mesh
 
   [[nodiscard]] std::size_t num_vertices() const { return surface.FirstVertex(surface.num_blocks()); }
   [[nodiscard]] std::size_t num_triangles() const { return surface.FirstTriangle(surface.num_blocks()); }
@@ -38,7 +39,7 @@ MeshStream::MeshStream(std::shared_ptr<const MapSnapshot> map, const Submap* sub
   if (submap != nullptr) {
     AddLayer({submap}, coloring, stop);
   } else {
-    // As ExtractMapMesh has them: what was seen on the map's grid as one, the others each by itself.
+    // As ExtractMapMesh: submaps on the map's grid as one field, others separately.
     std::vector<const Submap*> on_grid, others;
     for (const auto& each : map_->submaps()) {
       if (each->IsAbsent()) continue;
@@ -56,7 +57,7 @@ MeshStream::MeshStream(MeshStream&&) noexcept = default;
 void MeshStream::AddLayer(const std::vector<const Submap*>& submaps, MeshColoring coloring,
                           const std::stop_token& stop) {
   if (stop.stop_requested()) return;
-  ThreadPool here(1);  // an export takes a core at most from mapping, but to read
+  ThreadPool here(1);  // an export takes at most one core from mapping, except for reading
   auto layer = std::make_unique<Layer>(submaps, *map_->info().label_set, coloring, here, stop);
   layer->first_vertex = num_vertices();
   layer->first_triangle = num_triangles();
@@ -77,7 +78,7 @@ bool MeshStream::NextVertices(Mesh& piece) {
     const std::size_t begin = vertices_.block, first = surface.FirstVertex(begin);
     std::size_t& end = vertices_.block;
     while (end < surface.num_blocks() && surface.FirstVertex(end) < first + kPieceVertices) ++end;
-    if (surface.FirstVertex(end) == first) continue;  // nothing is left of this layer
+    if (surface.FirstVertex(end) == first) continue;  // the layer is complete
     piece.triangles.clear();
     ResizeVertices(surface.FirstVertex(end) - first, piece);
     for (std::size_t block = begin; block < end; ++block) surface.MakeVertices(block, first, piece);

@@ -18,7 +18,7 @@ constexpr std::uint32_t kNoVertex = 0xFFFFFFFFu;
 
 std::optional<Mesh> MeshOf(std::span<const Submap* const> submaps, const FieldScope& scope, const LabelSet& label_set,
                            MeshColoring coloring, const std::stop_token& stop) {
-  ThreadPool here(1);  // takes a core at most from mapping
+  ThreadPool here(1);  // takes at most one core from mapping
   const SurfaceField field(submaps, here, scope);
   const SurfaceExtractor surface(field, label_set, coloring, here, stop);
   if (stop.stop_requested()) return std::nullopt;
@@ -33,14 +33,14 @@ std::optional<Mesh> MeshOf(std::span<const Submap* const> submaps, const FieldSc
   return mesh;
 }
 
-/// Whose the triangle is.
+/// The submap that owns the triangle.
 std::uint32_t OwnerOf(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   const std::uint32_t a = mesh.instances[triangle[0]], b = mesh.instances[triangle[1]], c = mesh.instances[triangle[2]];
   if (a == b || a == c) return a;
   return b == c ? b : std::min({a, b, c});
 }
 
-/// Adds a triangle of `whole` to `part`; `numbers` are those of the vertices of `whole` that `part` has already.
+/// Adds a triangle of `whole` to `part`. `numbers`: indices of the vertices of `whole` that `part` already has.
 void AddTriangle(const Mesh& whole, const std::array<std::uint32_t, 3>& triangle, std::vector<std::uint32_t>& numbers,
                  Mesh& part) {
   std::array<std::uint32_t, 3> own;
@@ -61,7 +61,7 @@ void AddTriangle(const Mesh& whole, const std::array<std::uint32_t, 3>& triangle
 
 using TrianglesOf = std::map<std::uint32_t, std::vector<std::size_t>>;
 
-/// Cuts the surface: which triangles each submap has.
+/// Partitions the surface: the triangles of each submap.
 TrianglesOf CutByOwner(const Mesh& mesh) {
   TrianglesOf triangles;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) triangles[OwnerOf(mesh, mesh.triangles[t])].push_back(t);

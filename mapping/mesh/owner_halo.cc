@@ -36,7 +36,7 @@ OwnerHalo::OwnerHalo(const SurfaceField& field, const Halo::Blocks& blocks) {
 int OwnerHalo::Labelling(int nearer, int farther, int axis) const {
   const int b = Halo::kStride[(axis + 1) % 3], c = Halo::kStride[(axis + 2) % 3];
   const std::array<int, kNumCorners / 2> steps = {0, b, -b, c, -c, b + c, b - c, c - b, -b - c};
-  std::array<int, kNumCorners> corners;  // in the order of preference
+  std::array<int, kNumCorners> corners;  // in order of preference
   for (std::size_t i = 0; i < steps.size(); ++i) {
     corners[2 * i] = nearer + steps[i];
     corners[2 * i + 1] = farther + steps[i];

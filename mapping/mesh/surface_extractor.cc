@@ -15,7 +15,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr int kEdgesPerBlock = 3 * kBlockVoxels;  // each voxel owns the edges that start at it, one an axis
+constexpr int kEdgesPerBlock = 3 * kBlockVoxels;  // each voxel owns the edge that starts at it along each axis
 constexpr int kWords = kEdgesPerBlock / 64;
 constexpr int kRows = kBlockSide * kBlockSide;
 static_assert(kBlockSide == 8, "a row of voxels is a byte of a mask");
@@ -26,26 +26,26 @@ struct ActiveCell {
   std::uint8_t inside_corners = 0;
 };
 
-/// A block of the field during extraction. Vertices are numbered by block, then by edge, so that the same edge gives
-/// the same vertex to every cell around it, whichever block the cell is in.
+/// A block of the field during extraction. Vertices are numbered by block, then by edge, so that all cells around an
+/// edge, in any block, use the same vertex.
 struct alignas(kCacheLineBytes) MeshBlock {
   const BlockEntry* entry = nullptr;
-  std::array<int, kCellCorners> forward{};           ///< neighbours at offsets 0 or 1 by corner number; -1 = none
+  std::array<int, kCellCorners> forward{};           ///< neighbours at offsets 0 or 1 by corner number; -1: none
   std::array<std::uint8_t, kRows> inside{};          ///< bit x of row y + 8 z: distance < 0
-  std::array<std::uint8_t, kRows> observed{};        ///< the same: has been observed
-  std::array<std::uint64_t, kWords> edges{};         ///< bit 3 * linear + axis: the surface crosses, in a cell we mesh
+  std::array<std::uint8_t, kRows> observed{};        ///< the same: was observed
+  std::array<std::uint64_t, kWords> edges{};         ///< bit 3 * linear + axis: the surface crosses, in a meshed cell
   std::array<std::uint32_t, kWords> first_vertex{};  ///< number of the first vertex of each word
   MeshingVector<ActiveCell> cells;
   std::size_t num_triangles = 0, first_triangle = 0;
 };
 
-/// A voxel's place in the field.
+/// Location of a voxel in the field.
 struct VoxelPlace {
   int block;
   int linear;
 };
 
-/// Copies of what is in a block and around it.
+/// Copies of the data in and around a block.
 struct BlockSurroundings {
   TsdfHalo tsdf;
   std::optional<OwnerHalo> owners;  ///< none: the submap of any voxel answers
@@ -62,12 +62,12 @@ class SurfaceExtractor::Impl {
   Impl(const SurfaceField& field, const LabelSet& label_set, MeshColoring coloring)
       : field_(field), label_set_(label_set), coloring_(coloring), blocks_(field.blocks().size()) {}
 
-  /// Each step is over all blocks before the next one starts, and writes only what its block owns.
+  /// Each step finishes for all blocks before the next one starts, and writes only to its own block.
   void FindSurface(ThreadPool& pool, const std::stop_token& stop) {
     pool.ParallelFor(blocks_.size(), [&](std::size_t i) {
       if (!stop.stop_requested()) LinkBlock(i);
     });
-    if (stop.stop_requested()) return;  // else FindCells would follow links that were not made
+    if (stop.stop_requested()) return;  // else FindCells would follow missing links
     pool.ParallelFor(blocks_.size(), [&](std::size_t i) {
       if (!stop.stop_requested()) FindCells(static_cast<int>(i));
     });
@@ -139,7 +139,7 @@ class SurfaceExtractor::Impl {
     }
   }
 
-  /// The row at (y, z), 0 to 8 each, with the first voxel of the neighbour in x as bit 8.
+  /// The row at (y, z), 0 to 8 each, with the first voxel of the neighbour along x as bit 8.
   unsigned Row(const MeshBlock& block, std::array<std::uint8_t, kRows> MeshBlock::*mask, int y, int z) const {
     const int row = (y & 7) + kBlockSide * (z & 7);
     const int side = (y >> 3) << 1 | (z >> 3) << 2;
@@ -185,7 +185,7 @@ class SurfaceExtractor::Impl {
     int block;
     int edge;
   };
-  /// Where the edge of a cell is kept: at the voxel it starts from.
+  /// Where an edge of a cell is stored: at the voxel where it starts.
   EdgePlace Place(const MeshBlock& block, const ActiveCell& cell, int cell_edge) const {
     const CellEdge edge = edge_table_[cell_edge];
     const VoxelIndex v = VoxelIn({0, 0, 0}, cell.linear);
@@ -194,7 +194,7 @@ class SurfaceExtractor::Impl {
     return {block.forward[beyond.x | beyond.y << 1 | beyond.z << 2], 3 * LinearIndex(start) + edge.axis};
   }
 
-  /// Marks the edges that cells of block `i` use. Those of blocks behind it are marked by several blocks at once.
+  /// Marks the edges that cells of block `i` use. Several blocks may mark edges of the same neighbour at once.
   void MarkEdges(int i) {
     MeshBlock& block = blocks_[i];
     std::array<std::uint64_t, kWords> own{};
@@ -231,14 +231,14 @@ class SurfaceExtractor::Impl {
     num_triangles_ = num_triangles;
   }
 
-  /// The zero crossing between a voxel and the next one along `axis`.
+  /// Computes the zero crossing between a voxel and the next one along `axis`.
   void MakeVertex(VoxelPlace start, int axis, const BlockSurroundings& around, std::size_t vertex, Mesh& part) const {
-    constexpr float kMargin = 1e-3f;  // in voxels: vertices of edges that meet in a zero voxel stay apart
+    constexpr float kMargin = 1e-3f;  // in voxels: keeps vertices of edges that meet in a zero voxel apart
     const BlockIndex block = blocks_[start.block].entry->index;
     const VoxelIndex v = VoxelIn({0, 0, 0}, start.linear);
     const int a = Halo::Position(v.x, v.y, v.z), b = a + Halo::kStride[axis];
     const TsdfHalo& tsdf = around.tsdf;
-    const float rise = tsdf.At(b) - tsdf.At(a);  // not 0: the signs differ
+    const float rise = tsdf.At(b) - tsdf.At(a);  // not 0, because the signs differ
     const float t = std::clamp(-tsdf.At(a) / rise, kMargin, 1 - kMargin);
 
     Eigen::Vector3d p_field = VoxelCentre(VoxelIn(block, start.linear), 1.0);
@@ -261,7 +261,7 @@ class SurfaceExtractor::Impl {
     }
   }
 
-  /// The voxel at a position of the halo of `block`.
+  /// The voxel at a position of the block's halo.
   [[nodiscard]] VoxelPlace PlaceOf(int block, int position) const {
     const VoxelIndex v = Halo::VoxelAt(position);
     const BlockIndex offset = BlockOf(v);  // -1 to 1 along each axis
@@ -295,7 +295,7 @@ class SurfaceExtractor::Impl {
     if (submap.panoptic == Panoptic::kUnknown) return ColorOfId(0);
     if (coloring_ == MeshColoring::kInstance) return ColorOfId(submap.id.value);
     const LabelClass* label = label_set_.Find(vertex_class);
-    // Label sets often come without colours, all black then.
+    // In label sets without colours, all are black.
     return label == nullptr || label->color == Color{} ? ColorOfId(vertex_class.value) : label->color;
   }
 
@@ -311,7 +311,7 @@ class SurfaceExtractor::Impl {
   const MeshColoring coloring_;
   const CellCaseTable& cases_ = CellCases();
   const std::array<CellEdge, kCellEdges>& edge_table_ = CellEdgeTable();
-  MeshingVector<MeshBlock> blocks_;  // as the field's
+  MeshingVector<MeshBlock> blocks_;  // in the order of the field
   std::size_t num_vertices_ = 0, num_triangles_ = 0;
 };
 

@@ -12,12 +12,12 @@
 namespace dhpmap {
 namespace {
 
-/// Blocks of all submaps by ascending index, those of one index by ascending submap.
+/// The blocks of all submaps, sorted by index, then by submap.
 MeshingVector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps, const IndexMap<BlockIndex>* only) {
   MeshingVector<BlockHolder> sorted;
   for (const Submap* submap : submaps) {
     for (const TileEntry& tile : submap->blocks().tiles()) {
-      // What is on the disk and not wanted stays there.
+      // Blocks on disk that are not needed stay there.
       if (only != nullptr && NumBlocksIn(tile, *only) == 0) continue;
       for (const BlockEntry& entry : tile.tile->entries()) {
         if (entry.tsdf == nullptr) continue;
@@ -32,8 +32,8 @@ MeshingVector<BlockHolder> SortedBlocks(std::span<const Submap* const> submaps, 
   return sorted;
 }
 
-/// Writes the average of what holders have at a voxel, by weight as fusion does it (MergedAverage), and says which of
-/// them answers.
+/// Averages the holders' data at a voxel, weighted as in fusion (MergedAverage). Returns the holder that answers for
+/// it.
 std::uint16_t AverageVoxel(std::span<const BlockHolder> holders, int linear, TsdfBlock& average) {
   const auto i = static_cast<std::size_t>(linear);
   MergedAverage<double> merged;

@@ -16,7 +16,7 @@ TileNeighbourhood FindNeighbourhood(const BlockTable& blocks, TileIndex tile) {
 
 namespace {
 
-/// Calls visit(number, tile, cell) for the places of FindBlocks where there is a tile.
+/// Calls visit(number, tile, cell) for the places of FindBlocks that have a tile.
 template <typename Visitor>
 void ForEachPlace(const TileNeighbourhood& around, TileIndex tile, Visitor&& visit) {
   const BlockIndex first = BlockIn(tile, 0);

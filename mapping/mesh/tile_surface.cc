@@ -51,7 +51,7 @@ class TileMarcher {
     }
   }
 
-  /// Of the corners of the cell that begins at bit `x` of the first row.
+  /// Bits of the corners of the cell that begins at bit `x` of the first row.
   template <typename BitsOf>
   static unsigned Corners(const Rows& rows, int x, BitsOf&& bits_of) {
     unsigned corners = 0;
@@ -71,7 +71,7 @@ class TileMarcher {
     if (!is_alone && !TakeShared(rows, x, own)) return;
     const unsigned inside = Corners(rows, x, [this](std::size_t row) { return window_.Inside(row); });
     const CellCase& cell_case = CellCases()[inside];
-    if (!is_alone) surface_.needs.resize(surface_.triangles.size());  // those before need nobody
+    if (!is_alone) surface_.needs.resize(surface_.triangles.size());  // earlier triangles need no other submap
     std::array<Eigen::Vector3f, kCellEdges> crossings;
     for (unsigned edges = cell_case.edges; edges != 0; edges &= edges - 1) {
       const int edge = std::countr_zero(edges);
@@ -84,8 +84,8 @@ class TileMarcher {
     if (!is_alone) surface_.needs.resize(surface_.triangles.size(), NumberOfNeeded());
   }
 
-  /// Who shows the other corners of a cell of several, in shares_. Whether the cell belongs to the submap: to whoever
-  /// has most of its corners.
+  /// Collects the submaps of a shared cell's other corners in shares_. Returns whether the cell belongs to this submap:
+  /// to the one with most corners.
   bool TakeShared(const Rows& rows, int x, unsigned own) {
     shares_.clear();
     for (unsigned left = ~own & 0xFFu; left != 0; left &= left - 1) {
@@ -104,7 +104,7 @@ class TileMarcher {
                        [&](const Share& share) { return of_own < rank(sharers_[share.sharer], share.num_corners); });
   }
 
-  /// Of those in shares_: their position in what the surface needs.
+  /// The number of the set of submaps in shares_ among the surface's needs.
   std::uint16_t NumberOfNeeded() {
     std::vector<SubmapId> ids;
     for (const Share& share : shares_) ids.push_back(sharers_[share.sharer].id);

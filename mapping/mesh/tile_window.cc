@@ -12,9 +12,9 @@ namespace {
 using Row = TileRoom::Row;
 constexpr int kMargin = TileRoom::kMargin;
 
-/// Calls visit(row, shown, inside, to_x, distances) for rows along x of a block at an offset, in blocks from the
-/// tile's first, that lie in the window: of the voxels from bit `to_x` of the row on those that are shown, those below
-/// 0, and all distances.
+/// Calls visit(row, shown, inside, to_x, distances) for each row along x of a block that lies in the window; `offset`
+/// is in blocks from the tile's first. Bits from `to_x` on: voxels that are shown, and those with a negative distance;
+/// then all distances.
 template <typename Visitor>
 void ForEachRow(const BlockEntry& block, BlockIndex offset, Visitor&& visit) {
   const auto begin = [](int d) { return d < 0 ? kBlockSide - kMargin : 0; };
@@ -65,7 +65,7 @@ void TileWindow::CopyOwn(const BlockEntry& block, BlockIndex offset) {
   });
 }
 
-/// Only what nobody before shows.
+/// Copies only voxels that no earlier submap shows.
 void TileWindow::CopyShared(const BlockEntry& block, BlockIndex offset, std::uint16_t sharer) {
   ForEachRow(block, offset, [&](std::size_t row, Row shown, Row inside, int to_x, const float* distance_m, int) {
     const Row fresh = (shown << to_x) & ~Known(row);

@@ -16,7 +16,8 @@
 namespace dhpmap {
 namespace {
 
-/// Cells of some voxels' side are told by BlockIndex. Ordered, so that blocks in memory may have any order.
+/// A connected set of cells. Cells are addressed by BlockIndex, and ordered, so the order of blocks in memory does not
+/// matter.
 struct Island {
   std::set<BlockIndex> cells;
   std::int64_t num_surface_voxels = 0;
@@ -28,7 +29,7 @@ BlockIndex PlaceCellOf(VoxelIndex v, int cell_vox) {
   return {FloorOf(v.x, cell_vox), FloorOf(v.y, cell_vox), FloorOf(v.z, cell_vox)};
 }
 
-/// How many voxels of each cell that shows any are at the surface.
+/// Number of surface voxels in each cell that has any visible voxel.
 std::map<BlockIndex, std::int64_t> CountByCell(const Submap& submap, int cell_vox) {
   std::map<BlockIndex, std::int64_t> cells;
   const double most_m = submap.info().voxel_size_m / 2;
@@ -43,7 +44,7 @@ std::map<BlockIndex, std::int64_t> CountByCell(const Submap& submap, int cell_vo
   return cells;
 }
 
-/// Takes the cells that hang together with one of them out of the list.
+/// Removes one cell and all cells connected to it from the list.
 Island TakeIsland(std::map<BlockIndex, std::int64_t>& cells) {
   Island island;
   std::vector<BlockIndex> open{cells.begin()->first};
@@ -60,7 +61,7 @@ Island TakeIsland(std::map<BlockIndex, std::int64_t>& cells) {
   return island;
 }
 
-/// Largest first; of equals that with the first cell.
+/// Largest first; on ties the one with the smaller first cell first.
 std::vector<Island> IslandsOf(const Submap& submap, int cell_vox) {
   std::map<BlockIndex, std::int64_t> cells = CountByCell(submap, cell_vox);
   std::vector<Island> islands;
@@ -70,7 +71,7 @@ std::vector<Island> IslandsOf(const Submap& submap, int cell_vox) {
   return islands;
 }
 
-/// Somebody has made one of it, and whatever was merged into it.
+/// Whether a user has made one object of it and whatever was merged into it.
 bool MustBeOne(SubmapId id, const ObjectPairs& pairs) {
   return std::any_of(pairs.pairs().begin(), pairs.pairs().end(), [id](const ObjectPair& pair) {
     return pair.verdict == PairVerdict::kMustBeOne && (pair.first == id || pair.second == id);
@@ -84,7 +85,7 @@ bool MayBeSeveral(const Submap& submap, const MapInfo& map) {
          !info.is_locked && info.track_id == 0 && !info.sightings.HasTrack() && !MustBeOne(info.id, map.pairs);
 }
 
-/// A split by a person is for ever; this one is what frames have told so far.
+/// Records evidence from frames. Only a split by a user is permanent.
 void NoteAsSeenApart(SubmapId a, SubmapId b, ObjectPairs& pairs) {
   pairs.SetVerdict(a, b, PairVerdict::kOpen);
   pairs.AddEvidence(a, b, kLeastEvidence, kLeastEvidence, ObjectPairs::kMostEvidence);

@@ -13,7 +13,7 @@
 namespace dhpmap {
 namespace {
 
-/// A value with two sides, seen in the direction in which it is applied.
+/// The two sides of a change, in the direction in which it is applied.
 template <typename T>
 struct Way {
   const T& from;
@@ -40,7 +40,7 @@ void SetIfAsItWas(T& now, const T& from, const T& to) {
   if (IsSameValue(now, from)) now = to;
 }
 
-/// What edits set. Conflicts with later edits of the same.
+/// Sets fields that edits set. Conflicts with later edits of the same fields.
 Status SetEditedFields(const Way<SubmapInfo>& way, SubmapInfo& now) {
   const auto [from, to] = way;
   if (from.T_map_submap.matrix() != to.T_map_submap.matrix() || from.is_placed != to.is_placed) {
@@ -68,12 +68,12 @@ Status SetEditedFields(const Way<SubmapInfo>& way, SubmapInfo& now) {
   return Status::Ok();
 }
 
-/// Counts of now, plus what the way adds.
+/// The current counts, plus the difference between the two sides.
 std::vector<ClassTotal> Shifted(const std::vector<ClassTotal>& now, const Way<std::vector<ClassTotal>>& way) {
   std::map<ClassId, std::uint64_t> counts;
   for (const ClassTotal& total : now) counts[total.id] += total.count;
   for (const ClassTotal& total : way.to) counts[total.id] += total.count;
-  for (const ClassTotal& total : way.from) {  // later edits may have taken some of them along
+  for (const ClassTotal& total : way.from) {  // later edits may have moved some of them
     std::uint64_t& count = counts[total.id];
     count -= std::min(count, total.count);
   }
@@ -84,9 +84,9 @@ std::vector<ClassTotal> Shifted(const std::vector<ClassTotal>& now, const Way<st
   return shifted;
 }
 
-/// What frames set.
+/// Sets fields that frames set.
 void SetSeenFields(const Way<SubmapInfo>& way, SubmapInfo& now) {
-  const SubmapInfo &from = way.from, &to = way.to;  // no structured bindings: clang does not let a lambda have them
+  const SubmapInfo &from = way.from, &to = way.to;  // no structured bindings: clang does not capture them in lambdas
   if (now.class_counts == from.class_counts) now.class_counts = to.class_counts;
   else now.class_counts = Shifted(now.class_counts, {from.class_counts, to.class_counts});
   now.num_frames_observed =
@@ -96,13 +96,13 @@ void SetSeenFields(const Way<SubmapInfo>& way, SubmapInfo& now) {
   });
 }
 
-/// What its front ends have found again since, as other things, is theirs.
+/// Drops track ids that frames have since assigned to other things.
 void ForgetTracksOfOthers(const Map& map, Submap& back) {
   SubmapInfo& info = back.mutable_info();
   const bool had_track = info.sightings.HasTrack();
   for (const auto& other : map.submaps()) {
     if (other->id() == back.id()) continue;
-    if (!had_track && other->info().track_id == info.track_id) info.track_id = 0;  // it is any session's
+    if (!had_track && other->info().track_id == info.track_id) info.track_id = 0;  // the id of any session
     for (const Sighting& sighting : other->info().sightings.all()) {
       info.sightings.ForgetTrack(sighting.session, sighting.track_id);
     }
@@ -124,7 +124,7 @@ bool IsTracked(const Map& map, const Sighting& track) {
   });
 }
 
-/// Whether the sphere, as it is, has all of the submap's blocks in it.
+/// Whether the current sphere contains all blocks of the submap.
 bool HoldsAllBlocks(const Submap& submap) {
   constexpr double kRounding = 1 + 1e-9;
   const BoundingSphere& sphere = submap.bounding_sphere();
@@ -137,7 +137,7 @@ bool HoldsAllBlocks(const Submap& submap) {
   const auto tiles = submap.blocks().tiles();
   return std::all_of(tiles.begin(), tiles.end(), [&](const TileEntry& tile) {
     if (holds(tile.index, kTileSide * side_m)) return true;
-    for (std::uint64_t left = tile.tile->cells(); left != 0; left &= left - 1) {  // reads none
+    for (std::uint64_t left = tile.tile->cells(); left != 0; left &= left - 1) {  // reads no pages
       if (!holds(BlockIn(tile.index, std::countr_zero(left)), side_m)) return false;
     }
     return true;
@@ -146,7 +146,7 @@ bool HoldsAllBlocks(const Submap& submap) {
 
 bool HasLayer(const BlockTile* tile, BlockLayer wanted) { return tile != nullptr && tile->CellsWith(wanted) != 0; }
 
-/// Whether a layer is what it was on the side `from`.
+/// Whether a layer is equal to that on the side `from`.
 bool IsAsItWas(const BlockTile* now, const BlockTile* from, BlockLayer layer) {
   if (!HasLayer(from, layer)) return !HasLayer(now, layer);
   return now != nullptr && now->stored(layer).IsSameAs(from->stored(layer));
@@ -165,7 +165,7 @@ class Application {
 
   Status Apply(const StateDelta& delta) {
     const ListDelta<MergedId>& merged = delta.merged;
-    for (const bool goes : {true, false}) {  // what goes makes place for what comes
+    for (const bool goes : {true, false}) {  // remove before inserting
       for (const SubmapDelta& submap : delta.submaps) {
         if (WayTo(to_, submap.before, submap.after).to.has_value() == goes) continue;
         DHPMAP_RETURN_IF_ERROR(Apply(submap, WayTo(to_, merged.before, merged.after).from));
@@ -187,7 +187,7 @@ class Application {
   }
 
  private:
-  /// `unmerged`: what becomes objects of their own again.
+  /// `unmerged`: submaps that become objects again.
   Status Apply(const SubmapDelta& delta, const std::vector<MergedId>& unmerged) {
     const auto [from, to] = WayTo(to_, delta.before, delta.after);
     const Submap* now = map_.Find(delta.id);
@@ -207,7 +207,8 @@ class Application {
     if (map_.info().merged.Into(delta.id) && std::none_of(unmerged.begin(), unmerged.end(), is_unmerged)) {
       return Conflict(delta.id, "presence", "it is a part of another by now");
     }
-    // There is one of each class, which all its frames go to though it was relabelled, and those that somebody placed.
+    // A class has one submap, which all its frames use even if it was relabelled, and those that were placed by an
+    // edit.
     const auto is_in_its_place = [&row](const auto& other) {
       const SubmapInfo& info = other->info();
       const bool is_one = info.IsSeenAs(row.info.class_id) || row.info.IsSeenAs(info.class_id);
@@ -226,8 +227,8 @@ class Application {
     return Status::Ok();
   }
 
-  /// Once all submaps are there. Tracks that a merge has handed on go back with what comes back, and with it again:
-  /// frames may have changed the sightings of the whole since, which stay then.
+  /// Call once all submaps exist. Tracks that a merge handed over return with the restored submap. Only these tracks
+  /// are changed: frames may have changed the sightings of the whole since, which stay.
   void SettleTracks(const StateDelta& delta) {
     for (const SubmapDelta& submap : delta.submaps) {
       const auto [from, to] = WayTo(to_, submap.before, submap.after);
@@ -275,7 +276,7 @@ class Application {
     return true;
   }
 
-  /// Only what is all as the edit left it.
+  /// Only if all of it is as the edit left it.
   Status Remove(const SubmapDelta& delta, const SubmapRowState& from, const Submap& now) {
     if (now.blocks().tiles().size() != delta.tiles.size()) {
       return Conflict(delta.id, "voxels", "something was added to it since");
@@ -305,7 +306,7 @@ class Application {
   }
 
   void PutTile(const TileDelta& tile, Submap& submap, bool is_strict) const {
-    if (!is_strict) {  // what was looked through alone: where there still is a surface, and nothing was since
+    if (!is_strict) {  // only look-through counts: where a surface is left and they did not change since
       const TileEntry* entry = submap.blocks().FindTile(tile.index);
       const BlockTile* to = WayTo(to_, tile.before, tile.after).to.get();
       if (!IsTileAsItWas(tile, submap) || entry == nullptr) return;
@@ -318,7 +319,7 @@ class Application {
     if (is_strict) EraseBareBlocks(tile.index, submap);
   }
 
-  /// That a block was looked through since says nothing once it has no surface.
+  /// Look-through counts of a block without a surface have no meaning.
   static void EraseBareBlocks(TileIndex index, Submap& submap) {
     const TileEntry* entry = submap.blocks().FindTile(index);
     if (entry == nullptr) return;
@@ -334,7 +335,7 @@ class Application {
     const bool was_as_left = now.class_counts == way.from.info.class_counts;
     DHPMAP_RETURN_IF_ERROR(SetEditedFields({way.from.info, way.to.info}, now));
     SetSeenFields({way.from.info, way.to.info}, now);
-    if (!was_as_left && !now.class_counts.empty()) {  // what frames have seen since counts, too
+    if (!was_as_left && !now.class_counts.empty()) {  // counts of frames since then matter, too
       constexpr std::uint64_t kNothingNew = 0;
       submap.AddClassObservations(now.class_counts.front().id, kNothingNew);
     }
@@ -343,7 +344,7 @@ class Application {
     return Status::Ok();
   }
 
-  /// As it was, unless there is more now that it would not hold: what frames have added where it was larger.
+  /// Restores the sphere, unless it would not contain all blocks: frames may have extended the submap since.
   static void SetSphere(const Way<BoundingSphere>& way, Submap& submap) {
     const bool is_as_it_was = IsSameState(submap.bounding_sphere(), way.from);
     if (is_as_it_was && IsSameState(way.from, way.to)) return;
@@ -353,7 +354,7 @@ class Application {
 
   void NoteEdited(Submap& submap) const { submap.mutable_info().edited_revision = map_.info().revision + 1; }
 
-  /// As it was, or else voxel by voxel: those that the way takes away go, those that it adds come.
+  /// Restores the tile if it is unchanged. Else merges voxel by voxel: removes and adds the voxels of the change.
   void Apply(const VacatedDelta& delta) {
     const auto [from, to] = WayTo(to_, delta.before, delta.after);
     const FreeTile* now = map_.vacated().Find(delta.index);
@@ -422,7 +423,7 @@ class Application {
     return Status::Ok();
   }
 
-  /// Both, or what both were merged into.
+  /// Whether both exist, or one into which the other was merged.
   [[nodiscard]] bool IsThere(const ObjectPair& pair) const {
     const bool has_first = map_.Find(pair.first) != nullptr, has_second = map_.Find(pair.second) != nullptr;
     const MergedIds& merged = map_.info().merged;

@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-/// The geometry of one voxel, and how often it was looked through.
+/// Merges the geometry of one voxel and its look-through count.
 void MergeGeometry(const BlockEntry& from, int linear, float max_weight, TsdfBlock& into, GoneBlock& gone) {
   if (from.tsdf == nullptr || !from.tsdf->IsObserved(linear)) return;
   const auto i = static_cast<std::size_t>(linear);
@@ -29,9 +29,9 @@ void MergeGeometry(const BlockEntry& from, int linear, float max_weight, TsdfBlo
   gone.Set(linear, replaces ? from_count : std::min(from_count, gone.Count(linear)));
 }
 
-/// Whether they say of the whole, where it has none, what they say of the part.
+/// Whether the part's labels mean the same in the whole, if that has no block there.
 bool AreTheSameOf(SubmapId into, const LabelBlock& labels) {
-  if (labels.HasSeenInstance(into)) return false;  // which then is their own
+  if (labels.HasSeenInstance(into)) return false;  // that instance would become their own
   if (HasNone(labels.concluded())) return true;
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
     if (!labels.IsConcluded(linear)) continue;
@@ -51,7 +51,7 @@ void MergeLabels(const LabelBlock& from, SubmapId into_id, LabelBlock& into) {
   }
 }
 
-/// Blocks where the whole has none are shared with the part, as they are.
+/// Where the whole has no block, it shares that of the part.
 void MergeOneBlock(const BlockEntry& from, float max_weight, Submap& into) {
   const BlockEntry* known = into.blocks().Find(from.index);
   if (known == nullptr) {
@@ -92,7 +92,7 @@ void MergeRows(const SubmapInfo& from, SubmapInfo& into) {
   into.sightings.Merge(from.sightings);
 }
 
-/// What voxels have seen of `from` was `into`.
+/// Renames `from` to `into` in all voxel labels.
 void RenameEverywhere(SubmapId from, SubmapId into, Map& map) {
   std::vector<std::pair<SubmapId, BlockIndex>> found;
   for (const auto& submap : map.submaps()) {
@@ -138,7 +138,7 @@ void MergeSubmaps(SubmapId from, SubmapId into, Map& map) {
 void MergeForGood(SubmapId from, SubmapId into, Map& map) {
   MergeSubmaps(from, into, map);
   map.mutable_info().pairs.SetVerdict(from, into, PairVerdict::kMustBeOne);
-  map.FindMutable(into)->mutable_info().is_confirmed = true;  // somebody asked for it
+  map.FindMutable(into)->mutable_info().is_confirmed = true;  // because a user requested it
 }
 
 }  // namespace dhpmap

@@ -15,14 +15,15 @@
 namespace dhpmap {
 namespace {
 
-/// Two voxels are no surface: the smallest thing that a frame can make has more points in more of them.
+/// Two voxels are not a surface: the smallest thing that a frame creates has more points in more voxels.
 constexpr std::int64_t kLeastSurfaceVoxels = 3;
-/// Fewer may be what is left of a thing, if others hold more than kTakenTimes as many observations of it as it has
-/// itself. Measured on rooms at 4 cm: wrong things 5 to 84 times, true ones, a cup of 8 voxels among them, 3.3 at most.
+/// A thing with fewer surface voxels is a remnant if others hold more than kTakenTimes as many observations of it as it
+/// does itself. Measured on rooms at 4 cm: ratios of 5 to 84 for false things, at most 3.3 for true ones, among them a
+/// cup of 8 voxels.
 constexpr std::int64_t kFewSurfaceVoxels = 30;
 constexpr std::uint64_t kTakenTimes = 4;
 
-/// Then a merge would have to write to what is locked.
+/// A merge would have to write to a locked submap.
 bool IsNamedByLocked(SubmapId id, const Map& map) {
   return std::any_of(map.submaps().begin(), map.submaps().end(), [id](const auto& submap) {
     if (!submap->info().is_locked) return false;
@@ -44,7 +45,7 @@ bool ShouldMerge(const ObjectPair& pair, const Map& map) {
          !IsNamedByLocked(pair.second, map);
 }
 
-/// How often frames saw the thing, by who holds the voxels at which they did.
+/// Number of observations of the thing by frames, by the holder of the voxels.
 struct SightsOfThing {
   std::uint64_t own = 0, others = 0;
 };
@@ -58,7 +59,7 @@ void CountSights(SubmapId thing, const Submap& holder, const LabelBlock& labels,
   }
 }
 
-/// In the thing's blocks and those beside them.
+/// Counted in the thing's blocks and those next to them.
 SightsOfThing SightsAround(const Submap& thing, const Map& map) {
   std::set<BlockIndex> around;
   for (const BlockEntry& entry : thing.blocks().entries()) {

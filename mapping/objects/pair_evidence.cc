@@ -7,12 +7,12 @@
 namespace dhpmap {
 namespace {
 
-/// Fewer points of a thing in a frame say nothing of what it is part of.
+/// With fewer points in a frame, a thing gives no evidence about its segment.
 constexpr std::int64_t kLeastPoints = 60;
-/// Of a thing's points in a frame, that are in the segment that shows it.
+/// The share of a thing's points in a frame that must lie in its segment.
 constexpr double kShownShare = 0.6;
 
-/// A thing that one segment shows.
+/// A thing that a segment shows.
 struct Shown {
   const Submap* submap;
   int row;

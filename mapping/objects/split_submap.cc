@@ -33,7 +33,7 @@ Counted Choose(const Submap& submap, const VoxelChoice& goes) {
   return chosen;
 }
 
-/// Without labels of voxels: as many of the observations as of the voxels.
+/// Without voxel labels: splits observations in proportion to voxels.
 void ShareTotals(double share, SubmapInfo& rest, SubmapInfo& part) {
   part.class_counts.clear();
   for (ClassTotal& total : rest.class_counts) {
@@ -49,7 +49,7 @@ SubmapId MakePart(SubmapId id, const VoxelSet& voxels, double share, Map& map) {
   info.display_name.clear();
   info.track_id = 0;
   info.sightings = {};
-  info.is_confirmed = true;  // somebody asked for it
+  info.is_confirmed = true;  // because a user requested it
   Submap& part = map.Create(std::move(info));
   Submap& rest = *map.FindMutable(id);
   ShareTotals(share, rest.mutable_info(), part.mutable_info());
@@ -63,7 +63,7 @@ SubmapId MakePart(SubmapId id, const VoxelSet& voxels, double share, Map& map) {
   return part.id();
 }
 
-/// The voxels that show something, each part as a list.
+/// The connected parts of the visible voxels, each as a list.
 class Parts {
  public:
   explicit Parts(const Submap& submap) {
@@ -80,7 +80,7 @@ class Parts {
       }
     }
     for (auto& part : list_) std::iter_swap(part.begin(), std::min_element(part.begin(), part.end()));
-    // Of equals that with the first voxel: the order of blocks in memory is not that after loading.
+    // On ties the one with the smaller first voxel: the order of blocks in memory may change on loading.
     std::sort(list_.begin(), list_.end(), [](const auto& a, const auto& b) {
       return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
     });

@@ -11,7 +11,7 @@ bool IsSurface(const BlockEntry& entry, int linear, double voxel_size_m) {
          std::abs(entry.tsdf->distance_m[static_cast<std::size_t>(linear)]) <= voxel_size_m / 2;
 }
 
-/// Whether some voxel of the 3^3 around `v` is at the surface.
+/// Whether a voxel in the 3^3 neighbourhood of `v` is at the surface.
 bool HasSurfaceBeside(const Submap& submap, VoxelIndex v) {
   for (int n = 0; n < 27; ++n) {
     const VoxelIndex beside{v.x + n % 3 - 1, v.y + n / 3 % 3 - 1, v.z + n / 9 - 1};
@@ -21,7 +21,7 @@ bool HasSurfaceBeside(const Submap& submap, VoxelIndex v) {
   return false;
 }
 
-/// Whether the submap has the block, or one of the 26 around it.
+/// Whether the submap has the block or one of its 26 neighbours.
 bool HasBlockBeside(const Submap& submap, BlockIndex index) {
   for (int n = 0; n < 27; ++n) {
     if (submap.blocks().Find({index.x + n % 3 - 1, index.y + n / 3 % 3 - 1, index.z + n / 9 - 1}) != nullptr)

@@ -7,7 +7,7 @@
 namespace dhpmap {
 namespace {
 
-/// Whether something is known of the block beyond these voxels.
+/// Whether the block has data at other voxels.
 bool IsMoreThan(const std::bitset<kBlockVoxels>& voxels, const BlockEntry& entry) {
   for (int i = 0; i < kBlockVoxels; ++i) {
     if (!voxels[static_cast<std::size_t>(i)] && HasVoxel(entry, i)) return true;
@@ -77,7 +77,7 @@ void EraseVoxels(const VoxelSet& voxels, Submap& from) {
   for (const auto& [index, of_block] : voxels) {
     const BlockEntry* found = from.blocks().Find(index);
     if (found == nullptr) continue;
-    const BlockEntry entry = *found;  // the table may move its entries
+    const BlockEntry entry = *found;  // a copy, because the table may move its entries
     if (IsMoreThan(of_block, entry)) EraseFromBlock(of_block, entry, from);
     else from.EraseBlock(index);
   }

@@ -10,13 +10,13 @@
 namespace dhpmap {
 namespace {
 
-/// The parts of a segment of which a submap has some and others have some.
+/// The parts of a segment that a submap shares with others: whether it has own parts, and the others' parts.
 struct SharedSegment {
   bool has_own = false;
   std::vector<const SegmentBundles*> others;
 };
 
-/// By segment id.
+/// Keyed by segment id.
 std::map<std::uint32_t, SharedSegment> FindShared(const PanopticFrame& frame,
                                                   const std::vector<SegmentBundles>& segments,
                                                   std::span<const std::size_t> own) {
@@ -31,14 +31,15 @@ std::map<std::uint32_t, SharedSegment> FindShared(const PanopticFrame& frame,
   return shared;
 }
 
-/// A voxel of a segment is in one part of it. A point on the face of two may have been bundled in either, as rounding
-/// decided: it is taken for the others' only if it ends in a voxel of theirs.
+/// Whether the voxel belongs to another submap's part. Each voxel of a segment is in one part; rounding may have
+/// bundled a point on a face into either neighbour, so it counts for the others only if one of their parts ends in the
+/// voxel.
 bool IsOfOthers(const SharedSegment& segment, VoxelIndex voxel) {
   return std::any_of(segment.others.begin(), segment.others.end(),
                      [voxel](const SegmentBundles* part) { return part->EndsIn(voxel); });
 }
 
-/// Calls visit(point, how to get its position in the map frame) for all points of a frame with a return.
+/// Calls visit(point, function that returns its position in the map frame) for all points of a frame with a return.
 template <typename Visitor>
 void VisitPoints(const PanopticFrame& frame, Visitor&& visit) {
   if (frame.lidar) {

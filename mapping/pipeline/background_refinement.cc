@@ -12,12 +12,12 @@
 namespace dhpmap {
 namespace {
 
-/// Nobody waits for a refinement on the side: where cores are scarce, frames and answers come first.
+/// Nobody waits for a background refinement: where cores are scarce, frames and queries come first.
 constexpr int kNiceness = 10;
 
 BackgroundRefinement::Outcome Refine(std::shared_ptr<const MapSnapshot> before, RefinementRound round, int most_steps,
                                      const std::function<bool()>& is_cancelled) {
-  ThreadPool pool(1);  // the other cores go on fusing
+  ThreadPool pool(1);  // the other cores continue fusing
   round.Begin(*before, most_steps);
   const auto marks = round.pending().marks();
   const RegionPart part = round.NextPart();
@@ -43,7 +43,7 @@ void BackgroundRefinement::Start(std::shared_ptr<const MapSnapshot> before, Refi
                                              slot = std::move(slot)]() mutable {
     NameThisThread("refinement");
     MakeThisThreadNicer(kNiceness);
-    const auto held = std::move(slot);  // until the end of the work, not of the outcome; so is the state
+    const auto held = std::move(slot);  // held until the work ends, not the outcome; so is the state
     Outcome outcome = Refine(std::move(before), std::move(round), most_steps, [this] { return is_cancelled_.load(); });
     GiveBackFreeMemory();
     return outcome;
@@ -58,7 +58,7 @@ std::optional<BackgroundRefinement::Outcome> BackgroundRefinement::Take() {
   try {
     return outcome_.get();
   } catch (const std::exception&) {
-    return std::nullopt;  // nothing is lost: the next refinement finds the same voxels
+    return std::nullopt;  // nothing is lost: the next refinement processes the same voxels
   }
 }
 

@@ -16,7 +16,7 @@
 namespace dhpmap {
 namespace {
 
-/// The segments of a frame that go into one submap, in the order of the table.
+/// The segments of a frame that are fused into one submap, in the order of the table.
 struct SubmapWork {
   Submap* submap;
   std::vector<std::size_t> segments;
@@ -34,19 +34,19 @@ std::vector<SubmapWork> GroupBySubmap(std::span<const Assignment> assignments, M
   return works;
 }
 
-/// What the segment of a row counts as in `submap`; nothing without a row or a class, and in the unknown submap.
+/// The label of a row's segment in `submap`; nothing without a row or a class, and in the unknown submap.
 std::optional<ClassId> LabelOf(const PanopticFrame& frame, int row, const SubmapInfo& submap) {
   if (row < 0 || submap.id == kUnknownSubmap) return std::nullopt;
   return frame.segments[static_cast<std::size_t>(row)].class_id;
 }
 
-/// Nothing, if the map keeps nothing clear. Has a view of the map's regions.
+/// Nothing without ignored regions. Refers to the map's regions.
 std::optional<KeptClearVoxels> KeptClearVoxelsOf(const MapInfo& map, const SubmapInfo& submap) {
   if (map.kept_clear.empty()) return std::nullopt;
   return std::optional<KeptClearVoxels>(std::in_place, map.kept_clear, submap);
 }
 
-/// Bundles that there are to be traced; what has a grid of its own bundles the whole frame again.
+/// The number of bundles to trace for each submap; a submap with its own grid bundles the whole frame again.
 std::vector<std::size_t> SizesOf(const std::vector<SubmapWork>& works, const std::vector<SegmentBundles>& segments,
                                  const MapConfig& config) {
   std::size_t of_frame = 0;
@@ -78,7 +78,7 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
   const RayOrigin origin(T_submap_sensor.translation(), info.voxel_size_m);
   const std::size_t num_blocks = submap.blocks().size();
 
-  // A moved object has a grid of its own: bundle the frame again on that one, without what was assigned elsewhere.
+  // A moved object has its own grid: bundle the frame again on that grid, without points assigned to other submaps.
   ThreadPool here(1);
   Bundler own_bundler(config, here);
   const std::vector<SegmentBundles>* bundled = nullptr;
@@ -95,7 +95,7 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
     if (!on_map_grid) {
       if (std::exchange(last_row, row) == row) continue;  // another part of the same segment
       const auto own = std::find_if(bundled->begin(), bundled->end(), [row](const auto& b) { return b.row == row; });
-      if (own == bundled->end()) continue;  // a point or two, on the face of a voxel of another's
+      if (own == bundled->end()) continue;  // a point or two on the face of another's voxel
       bundles = &*own;
     }
     work.num_updates += IntegrateSegment(*bundles, origin, LabelOf(frame, row, info), config, submap, stop,

@@ -35,11 +35,11 @@
 namespace dhpmap {
 namespace {
 
-/// That are moved at a turn of refinement beyond one pair: a frame waits some 0.1 ms for each.
+/// Blocks merged in one turn of refinement beyond one pair: each delays a frame by about 0.1 ms.
 constexpr std::size_t kMergedBlocksATurn = 32;
 
-/// Between two turns of refinement. The more, the less of a state is kept for it, and the oftener a frame has to wait
-/// for what is taken over.
+/// Steps between two turns of refinement. With more, less of a state is kept for it, but frames wait more often for a
+/// refinement to be adopted.
 constexpr int kMostStepsARound = 8;
 
 /// Which rows of the frame's table are things.
@@ -68,7 +68,7 @@ struct MapBuilder::Impl {
                                        ImplausibleFrames implausible);
   void GoBackTo(Map&& before);
 
-  // The stages of a frame; each notes its time and outcome in the report.
+  // The stages of a frame; each records its time and result in the report.
   const std::vector<SegmentBundles>& Bundle(const PanopticFrame& frame, FrameReport& report);
   [[nodiscard]] Status CheckSize(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments) const;
   [[nodiscard]] Status Judge(const PanopticFrame& frame, ImplausibleFrames implausible, FrameReport& report);
@@ -96,21 +96,21 @@ struct MapBuilder::Impl {
   FrameCheck check;  // of the last frame
   Tracker tracker;
   FreeSpaceFinder space;
-  const bool may_read_ahead;  // some of the map was on the disk at first; later some of any map may be
+  const bool may_read_ahead;  // some of the map was on disk at the start; later some of any map may be
   BackgroundRefinement refinement;
-  RefinementRound round;    // of this session, as far as it was taken over
-  bool is_overdue = false;  // the refinement under way should be taken over
+  RefinementRound round;    // of this session, as far as it was adopted
+  bool is_overdue = false;  // the running refinement should be adopted
   bool is_waiting = false;  // for a slot
   RefinementReport refinement_total;
 };
 
-/// What can be said before anything is touched.
+/// Checks that need no change of state.
 Status MapBuilder::Impl::CheckFrame(const PanopticFrame& frame) const {
   DHPMAP_RETURN_IF_ERROR(ValidateFrame(frame, *map.info().label_set));
   return CheckFrameIsOnGrid(frame, map.info().config.voxel_size_m);
 }
 
-/// Points become segments: bundles on the map's grid, things that lie apart, or that somebody has split, in parts.
+/// Points become segments: bundles on the map's grid. Things that are apart, or that an edit has split, become parts.
 const std::vector<SegmentBundles>& MapBuilder::Impl::Bundle(const PanopticFrame& frame, FrameReport& report) {
   const StageClock clock(report.bundle_s);
   const MapInfo& info = map.info();
@@ -125,7 +125,7 @@ const std::vector<SegmentBundles>& MapBuilder::Impl::Bundle(const PanopticFrame&
   return segments;
 }
 
-/// What a frame may allocate, before it does.
+/// Checks the blocks that a frame may allocate, before it does.
 Status MapBuilder::Impl::CheckSize(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments) const {
   const MapConfig& config = map.info().config;
   const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
@@ -138,7 +138,7 @@ Status MapBuilder::Impl::CheckSize(const PanopticFrame& frame, const std::vector
       .WithReason("FRAME_TOO_LARGE");
 }
 
-/// Whether the frame fits what is known before it is a part of that.
+/// Whether the frame agrees with the map, before it is fused.
 Status MapBuilder::Impl::Judge(const PanopticFrame& frame, ImplausibleFrames implausible, FrameReport& report) {
   const StageClock clock(report.check_s);
   check = judge.Judge(frame, map);
@@ -170,7 +170,7 @@ void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<Segmen
   report.num_voxels_updated = FuseFrame(frame, segments, assignments, map, *pool, stop);
 }
 
-/// Returns the submaps that have lost a part of their surface.
+/// Returns the submaps that lost a part of their surface.
 std::vector<SubmapId> MapBuilder::Impl::LookThrough(const PanopticFrame& frame, const std::stop_token& stop,
                                                     FrameReport& report) {
   const SpaceConfig& config = map.info().config.space;
@@ -179,14 +179,14 @@ std::vector<SubmapId> MapBuilder::Impl::LookThrough(const PanopticFrame& frame, 
   return space.Look(frame, map, *pool, stop);
 }
 
-/// Things that were not seen for a while become inactive, and so may be refined, or are found to be gone.
+/// Things that were not observed for a while become inactive, so they may be refined or found absent.
 void MapBuilder::Impl::Settle(const PanopticFrame& frame, const std::vector<Assignment>& assignments,
                               std::vector<SubmapId> contradicted, FrameReport& report) {
   const StageClock clock(report.activity_s);
   std::vector<SubmapId> observed;
   observed.reserve(assignments.size());
   for (const Assignment& assignment : assignments) observed.push_back(assignment.submap);
-  std::vector<SubmapId>& doubted = contradicted;  // or soon settled
+  std::vector<SubmapId>& doubted = contradicted;  // contradicted, or about to become inactive
   for (const auto& submap : map.submaps()) {
     const SubmapInfo& info = submap->info();
     if (info.panoptic == Panoptic::kThing && info.activity == Activity::kActive) doubted.push_back(info.id);
@@ -209,14 +209,14 @@ RefinementReport MapBuilder::Impl::TakeOver(const BackgroundRefinement::Outcome&
   return report;
 }
 
-/// Only while no refinement is under way, which would go on with the objects of before.
+/// Only while no refinement is running, because it uses the objects of its start.
 void MapBuilder::Impl::CareForObjects(FrameReport& report) {
   report.num_merged += MergePairs(map, kMergedBlocksATurn);
   report.num_dissolved += DissolveRemnants(map);
 }
 
-/// Turns come by the number of frames in the map, not in this session: so a map that was saved and loaded in between
-/// begins a round at the same frames. Returns what was taken over, if anything was.
+/// Turns depend on the number of frames in the map, not in this session, so a map that was saved and loaded in between
+/// begins a round at the same frames. Returns the adopted refinement, if any.
 std::optional<RefinementReport> MapBuilder::Impl::RefineOnTheSide(FrameReport& frame_report) {
   const MapConfig& config = map.info().config;
   const RefinementConfig& refine = config.refinement;
@@ -261,7 +261,7 @@ void MapBuilder::Impl::PruneEmptyBlocks() {
 
 void MapBuilder::Impl::GoBackTo(Map&& before) {
   map = std::move(before);
-  bundler.GiveBuffersBack();  // what is in them may be half made, and is memory
+  bundler.GiveBuffersBack();  // may hold incomplete results; also frees memory
   space = FreeSpaceFinder();
 }
 
@@ -280,22 +280,22 @@ Map& MapBuilder::map() { return impl_->map; }
 const Map& MapBuilder::map() const { return impl_->map; }
 const RefinementReport& MapBuilder::refinement_total() const { return impl_->refinement_total; }
 
-/// Paper Fig. 2, from left to right.
+/// The stages of the paper's Fig. 2, from left to right.
 Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& frame, const std::stop_token& stop,
                                                        ImplausibleFrames implausible) {
   FrameReport report;
   const auto& segments = Bundle(frame, report);  // sensor data to point segments
   if (Status size = CheckSize(frame, segments); !size.ok()) {
-    bundler.GiveBuffersBack();  // so that one frame of this size does not keep them for ever
+    bundler.GiveBuffersBack();  // so that a huge frame does not keep its buffers for ever
     return size;
   }
   ThrowIfStopped(stop);
   if (may_read_ahead || CountPages().table_bytes > 0) ReadTilesAhead(segments, map, *pool);
-  DHPMAP_RETURN_IF_ERROR(Judge(frame, implausible, report));    // is it what it says it is
+  DHPMAP_RETURN_IF_ERROR(Judge(frame, implausible, report));    // does it agree with the map
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
   Fuse(frame, segments, assignments, stop, report);             // (B) ray tracing into it, II-C
-  const auto contradicted = LookThrough(frame, stop, report);   // what the rays passed is free
-  Settle(frame, assignments, contradicted, report);             // what (C) and (D) may work on, II-D
+  const auto contradicted = LookThrough(frame, stop, report);   // space that rays passed is free
+  Settle(frame, assignments, contradicted, report);             // input of (C) and (D), II-D
   Refine(report);                                               // (C) and (D), II-D and II-E
   judge.NoteFused(frame);
   return report;
@@ -318,7 +318,7 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
   } catch (const std::bad_alloc&) {
     if (before) impl_->GoBackTo(*std::move(before));
     return ResourceExhausted("there is not enough memory for the frame").WithReason("OUT_OF_MEMORY");
-  } catch (const StatusError& error) {  // voxels that the frame needs cannot be read
+  } catch (const StatusError& error) {  // voxels needed by the frame are unreadable
     if (before) impl_->GoBackTo(*std::move(before));
     return error.status();
   } catch (const std::exception& error) {
@@ -337,8 +337,8 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   refinement.Cancel();
   is_overdue = is_waiting = false;
   const auto slot = slots ? RefinementSlots::Take(slots, is_cancelled) : std::nullopt;
-  bundler.GiveBuffersBack();  // no frame comes for some time
-  GiveBackFreeMemory();       // what was under way had a state of the map of its own
+  bundler.GiveBuffersBack();  // no frame follows for some time
+  GiveBackFreeMemory();       // the finished refinement had its own state of the map
   DeactivateAll(map);
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);
   MergePairs(map, std::numeric_limits<std::size_t>::max());
@@ -348,12 +348,12 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   const RefinementRegion all(cubes);
   RefinementReport report = RefineMap(map, *pool, &all, is_cancelled);
   if (is_cancelled && is_cancelled()) return std::nullopt;
-  if (map.info().config.space.gone) UpdatePresenceOfAll(map);  // of what was given to others, nothing is left to see
+  if (map.info().config.space.gone) UpdatePresenceOfAll(map);  // things whose voxels others got are absent
   const MapConfig& config = map.info().config;
   if (config.refinement.least_apart_voxels > 0) {
     SplitApartThings(2 * config.tracking.split_gap_vox, config.refinement.least_apart_voxels, map);
   }
-  DissolveRemnants(map);  // looks at voxel labels
+  DissolveRemnants(map);  // needs voxel labels
   if (map.info().config.refinement.drop_voxel_labels && map.info().config.refinement.management) {
     report.num_bytes_dropped = DropVoxelLabels(map);
   }

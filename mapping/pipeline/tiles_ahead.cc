@@ -13,7 +13,7 @@
 namespace dhpmap {
 namespace {
 
-/// The tiles that the segments end in, and those that are within so many blocks of an end.
+/// The tiles that contain ends of the segments, and those within `rim_blocks` blocks of an end.
 class EndTiles {
  public:
   EndTiles(const std::vector<SegmentBundles>& segments, std::int32_t rim_blocks) {
@@ -23,7 +23,7 @@ class EndTiles {
   }
 
   [[nodiscard]] const std::vector<TileIndex>& all() const { return tiles_; }
-  /// Whether what lies within a sphere of the map's grid may have one of them.
+  /// Whether the content of a sphere on the map's grid may include one of them.
   [[nodiscard]] bool MayMeet(const BoundingSphere& sphere, double voxel_size_m) const {
     if (tiles_.empty() || sphere.IsEmpty()) return false;
     const double side_m = kTileSide * kBlockSide * voxel_size_m;
@@ -53,9 +53,9 @@ class EndTiles {
     high_ = tiles_.size() == 1 ? place : high_.max(place);
   }
 
-  IndexMap<TileIndex> numbers_;  ///< position in tiles_
+  IndexMap<TileIndex> numbers_;  ///< index in tiles_
   std::vector<TileIndex> tiles_;
-  Eigen::Array3i low_ = Eigen::Array3i::Zero(), high_ = Eigen::Array3i::Zero();  ///< of them
+  Eigen::Array3i low_ = Eigen::Array3i::Zero(), high_ = Eigen::Array3i::Zero();  ///< bounds of tiles_
 };
 
 void AddIfUnread(const TileEntry* entry, std::vector<const BlockTile*>& unread) {
@@ -75,7 +75,7 @@ bool HasTilesOnDisk(const Map& map) {
 void ReadTilesAhead(const std::vector<SegmentBundles>& segments, const Map& map, ThreadPool& pool) {
   const MapConfig& config = map.info().config;
   const double rim_blocks = std::ceil(config.truncation_m / (kBlockSide * config.voxel_size_m));
-  // What is farther is read when it is needed.
+  // Farther tiles are read on demand.
   const EndTiles ends(segments, static_cast<std::int32_t>(std::min(rim_blocks, double{kTileSide})));
   std::vector<const BlockTile*> unread;
   for (const auto& submap : map.submaps()) {

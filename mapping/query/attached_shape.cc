@@ -13,7 +13,7 @@ namespace {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// Around the corners of triangles, which holds the triangles.
+/// A ball around the corners, and so around the triangles.
 AttachedShape::Ball BallAround(const std::vector<Corners>& triangles) {
   Eigen::AlignedBox3d box;
   for (const Corners& t : triangles) {
@@ -36,7 +36,7 @@ AttachedShape::Ball BallAround(const std::vector<AttachedShape::Ball>& balls) {
   return {box.center(), radius_m};
 }
 
-/// Whether anything was counted against any of its blocks.
+/// Whether any of its blocks has look-through counts.
 bool IsLookedThrough(const Submap& submap) {
   for (const BlockEntry& block : submap.blocks().entries()) {
     if (block.gone != nullptr) return true;
@@ -48,7 +48,7 @@ bool IsLookedThrough(const Submap& submap) {
 
 namespace {
 
-/// Makes a body of triangles, which come in any order.
+/// Makes a body from triangles in any order.
 class BodyMaker {
  public:
   BodyMaker(double voxel_size_m, std::size_t max_balls) : size_m_(voxel_size_m), max_balls_(max_balls) {}
@@ -57,7 +57,7 @@ class BodyMaker {
   void Add(const TriangleTree& triangles, std::size_t position, const SubmapSurface& surface, std::size_t tile) {
     Corners t;
     for (std::size_t k = 0; k < 3; ++k) t[k] = surface.FromTile(triangles.triangle(position)[k], tile);
-    // A triangle of marching cubes lies in one cell, which has a voxel's size and voxel centres for corners.
+    // A triangle of marching cubes lies in one cell, whose corners are voxel centres.
     const VoxelIndex cell = VoxelAt((t[0] + t[1] + t[2]) / 3 - Eigen::Vector3d::Constant(0.5 * size_m_), size_m_);
     auto& of_cell = cells_[BlockOf(cell)][cell];
     body_.num_balls += of_cell.empty() ? 1 : 0;
@@ -105,7 +105,7 @@ AttachedShape WholeBodyOf(const MapSurfaces& surfaces, SubmapId id, std::size_t 
     return AttachedShapeOf(surfaces.state(), *submap, *known, max_balls);
   }
   Submap whole = *submap;
-  whole.ShareBlocks();  // before anything is written to them
+  whole.ShareBlocks();  // before anything writes to them
   whole.DropGone();
   const auto ledger = std::make_shared<SurfaceLedger>();
   const SubmapSurface surface(whole, nullptr, nullptr, [&](std::span<const TilePlace> places) {

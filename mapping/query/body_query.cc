@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-/// What a search for the nearest surface counts.
+/// Work of a search for the nearest surface.
 constexpr std::int64_t kSearchWork = 64;
 
 BodyContact ContactOf(const SurfaceDistance& distance, double radius_m) {
@@ -75,7 +75,7 @@ BodyAnswer BodyQuery::CheckShape(const Shape& body, std::size_t max_contacts, Wo
 
 std::vector<BodyContact> BodyQuery::Contacts(const Capsule& capsule, std::size_t max_contacts, WorkBudget* work) const {
   if (capsule.a_m != capsule.b_m) return TriangleContacts(capsule, max_contacts, work);
-  // A sphere: by distances, which tell the side exactly. The next object is the nearest without those before.
+  // A sphere: use distances, which give the exact side. Then search for the nearest object without those found before.
   std::vector<BodyContact> contacts;
   const SurfaceDistance nearest = distances_.Within(capsule.a_m, capsule.radius_m);
   if (nearest.submap == nullptr) return contacts;
@@ -122,7 +122,7 @@ std::vector<BodyContact> BodyQuery::TriangleContacts(const Shape& body, std::siz
 }
 
 std::optional<SurfaceDistance> BodyQuery::InsideOf(const Eigen::Vector3d& p_map) const {
-  // What was seen in front of a surface can be behind another one only within the band.
+  // A point observed in front of a surface can be behind another one only within the band.
   const double band_m = world_.surfaces().state().info().config.truncation_m;
   const SurfaceDistance near = distances_.Within(p_map, band_m);
   if (near.submap != nullptr) return near.distance_m < 0 ? std::optional(near) : std::nullopt;

@@ -9,9 +9,9 @@
 namespace dhpmap {
 namespace {
 
-/// The least that the distance to anything can be on a straight way of `way_m` between two places, at which it is
-/// `a_m` and `b_m` or more. Squared, and less the square of the way, the distance to a point is linear along the way,
-/// and that to the nearest of several is concave. `share`: of the way, where that least would be.
+/// A lower bound of the distance to the nearest surface on a straight motion of length `way_m` whose ends have
+/// distances of at least `a_m` and `b_m`. The squared distance to a point, minus the square of the distance moved, is
+/// linear along the motion; the minimum over several points is concave. `share`: position of the bound's minimum.
 double LeastOnTheWay(double a_m, double b_m, double way_m, double& share) {
   a_m = std::max({a_m, b_m - way_m, 0.0});
   b_m = std::max({b_m, a_m - way_m, 0.0});
@@ -31,7 +31,7 @@ ClearanceQuery::ClearanceQuery(std::shared_ptr<const MapSurfaces> surfaces, cons
   for (const QueryWorld::Grown& grown : world.grown()) paddings_m_.push_back(grown.padding_m);
 }
 
-/// Of one sphere: halves its way where it may come nearer than anything did so far.
+/// Searches the motion of one sphere by bisection, where it may be nearer than the best result so far.
 class ClearanceQuery::Search {
  public:
   Search(const ClearanceQuery& query, std::span<const SphereKnot> knots, LeastClearance& least,
@@ -49,13 +49,13 @@ class ClearanceQuery::Search {
   }
 
  private:
-  /// More than any point of the sphere's surface moves.
+  /// An upper bound of the motion of any point on the sphere's surface.
   static double WayOf(const SphereKnot& from, const SphereKnot& to) {
     return (to.center_m - from.center_m).norm() + std::abs(to.radius_m - from.radius_m);
   }
   [[nodiscard]] bool MayBeNearer(double least_m) const { return least_m < least_.distance_m - kTolerance_m; }
 
-  /// How clear a sphere is, or no more than that if nothing is within reach of who goes `way_m`.
+  /// The clearance of a sphere; if nothing is within reach of a motion of `way_m`, a lower bound.
   double ClearOf(const SphereKnot& sphere, double way_m) {
     constexpr std::int64_t kLookWork = 64;
     is_over_ = is_over_ || stop_.stop_requested() || !SpendOf(work_, kLookWork);
@@ -71,7 +71,7 @@ class ClearanceQuery::Search {
     return clear_m;
   }
 
-  /// Between two knots, which are clear by so much.
+  /// Searches between two knots with the given clearances.
   void LowerAmong(std::size_t from, std::size_t to, double from_m, double to_m) {
     const double way_m = way_m_[to] - way_m_[from];
     if (is_over_ || !MayBeNearer(0.5 * (from_m + to_m - way_m))) return;
@@ -87,11 +87,11 @@ class ClearanceQuery::Search {
     }
   }
 
-  /// The same on a straight way.
+  /// The same for a straight motion.
   void LowerBetween(const SphereKnot& from, const SphereKnot& to, double from_m, double to_m) {
     const double way_m = WayOf(from, to), center_way_m = (to.center_m - from.center_m).norm();
     double share = 0, least_m = std::numeric_limits<double>::infinity();
-    for (const double padding_m : query_.paddings_m_) {  // of what is grown by so much
+    for (const double padding_m : query_.paddings_m_) {  // padding of some objects
       double nearest_at = 0;
       const double to_center_m =
           LeastOnTheWay(from_m + from.radius_m + padding_m, to_m + to.radius_m + padding_m, center_way_m, nearest_at);
@@ -113,7 +113,7 @@ class ClearanceQuery::Search {
   LeastClearance& least_;
   const std::stop_token& stop_;
   WorkBudget* const work_;
-  std::vector<double> way_m_;  ///< up to each knot
+  std::vector<double> way_m_;  ///< length up to each knot
   bool is_over_ = false;
 };
 

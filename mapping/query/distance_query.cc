@@ -14,7 +14,7 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kLeast_m = 1e-5;  // nearer, rounding would turn the direction
+constexpr double kLeast_m = 1e-5;  // nearer than this, rounding would dominate the direction
 
 SurfaceDistance Clamped(double limit_m) {
   SurfaceDistance answer;
@@ -29,7 +29,7 @@ NearField::List ListAt(const NearField& field, const Eigen::Vector3f& p) {
 
 }  // namespace
 
-/// What is nearest of all that is grown, each by its own.
+/// Finds the nearest of all grown surfaces, each with its own padding.
 class DistanceQuery::Searches {
  public:
   explicit Searches(const QueryWorld& world) {
@@ -41,7 +41,7 @@ class DistanceQuery::Searches {
   struct Found {
     NearestSurface surface;
     double padding_m = 0;
-    double reach_m = 0;  ///< to the surface, from whichever side, less its padding
+    double reach_m = 0;  ///< to the surface from either side, minus its padding
   };
   Found Find(const Eigen::Vector3d& p_map, double limit_m) {
     Found best{.reach_m = limit_m};
@@ -96,7 +96,8 @@ bool DistanceQuery::AnyCloserThan(const Eigen::Vector3d& p_map, double radius_m)
   });
 }
 
-/// What was nearest to one point is a surface that the next one has, too: mostly a much better limit than the caller's.
+/// The surface nearest to one point also limits the distance of the next point, usually much more than the caller's
+/// limit.
 class DistanceQuery::Limit {
  public:
   explicit Limit(double most_m) : most_m_(most_m) {}
@@ -105,7 +106,7 @@ class DistanceQuery::Limit {
     constexpr double kRounding_m = 1e-5, kRounding = 1 + 1e-5;
     return std::min(most_m_, kRounding * (p - nearest_m_).norm() + kRounding_m - padding_m_);
   }
-  /// Of something grown by so much.
+  /// Takes a surface grown by `padding_m`.
   void Learn(const Eigen::Vector3d& nearest_m, double padding_m) {
     is_any_ = true;
     nearest_m_ = nearest_m;
@@ -154,7 +155,7 @@ std::vector<DistanceQuery::Open> DistanceQuery::AllOf(std::span<const std::uint3
   return open;
 }
 
-/// Where all that is there is grown alike: a search a point, some of them side by side, so that none waits for memory.
+/// For equal padding everywhere: one search for each point, several interleaved to hide memory latency.
 void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::span<const Open> open,
                                std::span<SurfaceDistance> answers) const {
   constexpr std::size_t kMostInFlight = 16;
@@ -198,8 +199,8 @@ void DistanceQuery::AtTogether(std::span<const Eigen::Vector3d> points_m, std::s
   }
 }
 
-/// Points whose cell has a field, some side by side, each step of all before the next one, so that none waits for
-/// memory. Returns the others, in their order.
+/// Answers points whose cell has a field, several interleaved step by step to hide memory latency. Returns the others,
+/// in their order.
 std::vector<DistanceQuery::Open> DistanceQuery::AtByFields(std::span<const Eigen::Vector3d> points_m,
                                                            std::span<const std::uint32_t> order,
                                                            std::span<SurfaceDistance> answers) const {
@@ -261,8 +262,8 @@ std::vector<DistanceQuery::Open> DistanceQuery::AtByFields(std::span<const Eigen
   return others;
 }
 
-/// Whether the field knows; else `within_m` may be lowered. What it holds to be nearest of all is nearest of what is
-/// there, if that is there.
+/// True if the field has the answer; else may lower `within_m`. The field's nearest surface is the answer if it is
+/// among the surfaces of the query.
 bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell, const Eigen::Vector3f& p,
                              const NearField::List& list, SurfaceDistance& answer, double& within_m) const {
   const double limit_m = options_.max_distance_m, padding_m = world_.most_padding_m();
@@ -285,14 +286,14 @@ bool DistanceQuery::TryField(const Eigen::Vector3d& p_map, const FieldCell& cell
   found.p_submap = world_.surfaces().index().entries()[found.number].ToSubmap(p_map);
   found.sight = &cell.sight;
   if (!list.is_side_known) {
-    // Of no account, if something says that the point is in front.
+    // The unknown side does not matter if a submap observed the point in front.
     const double band_m = world_.surfaces().index().entries()[found.number].submap().info().truncation_m;
     if (distance_m <= band_m || !world_.SightAt(p_map, found).is_front) return false;
     found.is_behind = false;
   }
-  const bool may_end = list.may_end || !world_.is_held().empty();  // where something that is left out went on
+  const bool may_end = list.may_end || !world_.is_held().empty();  // at excluded neighbours, too
   if (found.is_behind && may_end && !nearest.is_across) {
-    // Of no account, if the place itself was seen to be inside, or, beyond the band, to be in front.
+    // The end does not matter if the place itself was observed inside or, beyond the band, in front.
     const double band_m = world_.surfaces().index().entries()[found.number].submap().info().truncation_m;
     const QueryWorld::Sight sight = world_.SightAt(p_map, found);
     if (!sight.is_seen || (sight.is_front && distance_m <= band_m)) return false;
@@ -322,22 +323,22 @@ SurfaceDistance DistanceQuery::Describe(const Eigen::Vector3d& p_map, double lim
   return answer;
 }
 
-/// Whose surface it is, on which side of it the point is, and whether that was seen.
+/// Sets the surface's object, the side of the point, and whether it was observed.
 void DistanceQuery::Tell(const Eigen::Vector3d& p_map, const NearestSurface& found, const Way& way, double padding_m,
                          SurfaceDistance& answer, double& side) const {
   const double distance_m = way.away_m.norm();
   const SubmapInfo& submap = world_.surfaces().index().entries()[found.number].submap().info();
   answer.submap = &submap;
   const bool is_in_band = distance_m <= submap.truncation_m;
-  // In front of the surface, or in its band, a place need only be seen; what is farther behind must be known not to be
-  // in front of anything.
+  // In front of the surface or within its band, a point only needs to be observed. Farther behind, it must not have
+  // been observed in front of any surface.
   QueryWorld::Sight sight;
   const bool needs_front = found.is_behind && (!is_in_band || found.is_beside);
   const bool is_looked_at = needs_front || !options_.unknown_is_free;
   if (needs_front) sight = world_.SightAt(p_map, found);
   else if (is_looked_at) sight.is_seen = world_.IsSeenAt(p_map, found);
   answer.status = sight.is_seen || options_.unknown_is_free ? DistanceStatus::kOk : DistanceStatus::kUnknown;
-  // Where the surface ends it does not tell what is beside it; a voxel that was seen there does.
+  // At its edge a surface does not determine the side; an observed voxel there does.
   bool is_inside =
       found.is_behind && (found.is_beside ? sight.is_seen && !sight.is_front : is_in_band || !sight.is_front);
   if (!is_inside && !(is_looked_at ? sight.is_seen : world_.IsSeenAt(p_map, found))) {

@@ -11,7 +11,7 @@ namespace dhpmap {
 namespace {
 
 constexpr std::size_t kMostPoints = 48;
-constexpr double kLeastInBox = 0.5;                     // of the thing's box, in the body's
+constexpr double kLeastInBox = 0.5;                     // of the thing's box, within that of the body
 constexpr double kLeastBelow = 0.5, kLeastAbove = 0.1;  // of the thing's points
 constexpr double kBelowShare = 0.25, kAboveShare = 0.25, kAroundShare = 0.5;
 constexpr int kDirections = 8;
@@ -27,7 +27,7 @@ class Encloser {
     const Ray ray{T_map_query_ * p_m, T_map_query_.linear() * direction};
     return MeetsSubmap(world_.surfaces(), body_.number, ray, body_.box_m.diagonal().norm());
   }
-  /// Up to where its box ends.
+  /// Checks up to the end of the body's box.
   [[nodiscard]] bool IsSeenToLeave(const Eigen::Vector3d& p_m, const Eigen::Vector3d& direction) const {
     const double step_m = world_.voxel_size_m();
     for (Eigen::Vector3d at = p_m + step_m * direction; body_.box_m.contains(at); at += step_m * direction) {

@@ -11,10 +11,10 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kTouching_vox = 1;      // so near nothing fits between
-constexpr double kEnds_vox = 0.5;        // of a way, that need not be seen
-constexpr double kMostUnseen_vox = 1.5;  // at a stretch, of the rest: less than a wall
-constexpr std::size_t kMostWays = 256;   // that are tried
+constexpr double kTouching_vox = 1;      // nothing fits into such a gap
+constexpr double kEnds_vox = 0.5;        // at each end of a way; may be unobserved
+constexpr double kMostUnseen_vox = 1.5;  // consecutive, in the rest of a way: less than a wall
+constexpr std::size_t kMostWays = 256;   // candidates to try
 
 struct Way {
   Eigen::Vector3d from_m, to_m;
@@ -48,10 +48,10 @@ bool IsBlocked(const Way& way, std::span<const RelatedBody* const> others, const
 }
 
 bool IsSeen(const Way& way, const QueryWorld& world, const Transform& T_map_query) {
-  if (world.surfaces().state().free_space()->tiles().empty()) return true;  // nobody has asked what is free
+  if (world.surfaces().state().free_space()->tiles().empty()) return true;  // free space is not recorded in this map
   const double voxel_m = world.voxel_size_m(), step_m = voxel_m / 2;
   const Eigen::Vector3d direction = (way.to_m - way.from_m).normalized();
-  double unseen_m = 0;  // of late
+  double unseen_m = 0;  // length of the current unobserved part
   for (double at_m = kEnds_vox * voxel_m; at_m <= way.length_m - kEnds_vox * voxel_m; at_m += step_m) {
     const bool is_seen = world.SightAt(T_map_query * (way.from_m + at_m * direction), {}).is_front;
     unseen_m = is_seen ? 0 : unseen_m + step_m;

@@ -7,12 +7,12 @@
 namespace dhpmap {
 namespace {
 
-/// Parts of a length that are no longer than a step, but for rounding.
+/// Number of equal parts of a length that are at most `step_m`, up to rounding.
 int NumParts(double length_m, double step_m) {
   return std::max(1, static_cast<int>(std::ceil(length_m / step_m - 1e-6)));
 }
 
-/// Between points, so that no voxel whose centre is in a cell is left out.
+/// Distance of sample points that misses no voxel whose centre is in a cell.
 double StepOf(const SliceOptions& options, double voxel_size_m) {
   const Eigen::Matrix3d axes = options.T_map_query.linear().cwiseAbs();
   const bool is_turned = ((axes.array() > 1e-9) && (axes.array() < 1 - 1e-9)).any();

@@ -19,21 +19,21 @@ struct Vote {
   VoxelSupport support;
 };
 
-/// Farther than the truncation a distance says only that: it is what carving leaves, but for rounding.
+/// Distances beyond the truncation come from carving and carry no more information; the factor covers rounding.
 bool IsNearSurface(const Submap& submap, const VoxelSample& voxel) {
   return voxel.distance_m() < 0.999 * submap.info().truncation_m;
 }
 
-/// What the submaps around a point say of it.
+/// The answers of the submaps around a point.
 class Votes {
  public:
-  /// A voxel of a submap at the point, observed or not. It is on its way from memory while others are looked for.
+  /// Adds a voxel of a submap at the point, observed or not. Prefetches it; Count reads it later.
   void Add(const Submap& submap, const BlockEntry& block, int linear) {
     if (num_fetched_ == kMost) Count();
     __builtin_prefetch(&block.tsdf->weight[static_cast<std::size_t>(linear)]);
     fetched_[num_fetched_++] = {&submap, &block, linear};
   }
-  /// Of those that were added since.
+  /// Evaluates the voxels added since the last call.
   void Count() {
     for (std::size_t i = 0; i < num_fetched_; ++i) CountOne(fetched_[i]);
     num_fetched_ = 0;

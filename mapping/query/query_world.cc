@@ -13,7 +13,7 @@
 namespace dhpmap {
 namespace {
 
-/// The first stamp that is no older than `max_age_s` at the newest look.
+/// The oldest stamp within `max_age_s` of the newest one.
 std::int64_t OldestOf(const FreeSpace& space, double max_age_s) {
   std::int64_t newest_ns = std::numeric_limits<std::int64_t>::min();
   for (const FreeTileEntry& tile : space.tiles()) newest_ns = std::max(newest_ns, tile.tile->last_seen_ns());
@@ -23,7 +23,7 @@ std::int64_t OldestOf(const FreeSpace& space, double max_age_s) {
                                : std::numeric_limits<std::int64_t>::min();
 }
 
-/// Of those that are there (empty: all of `entries`), without what may be touched.
+/// Restricts `is_there` (empty: all of `entries`) to submaps that may not be touched.
 std::vector<bool> WithoutTouchable(std::vector<bool> is_there, std::vector<SubmapId> may_touch,
                                    std::span<const SubmapIndex::Entry> entries) {
   if (is_there.empty()) is_there.assign(entries.size(), true);
@@ -224,7 +224,7 @@ QueryWorld::Sight QueryWorld::SightAt(const Eigen::Vector3d& p_map, const Neares
     const auto number = static_cast<std::size_t>(&entry - entries.data());
     if (!sight.is_front && Holds(number)) look(entry.submap(), entry.ToSubmap(p_map), IsInTheWay(number));
   });
-  // A voxel beside a surface may have been looked through, too: what submaps hold there counts.
+  // A voxel next to a surface may have been looked through as well: data of submaps take precedence.
   if (!sight.is_seen && (IsFree(VoxelAt(p_map, voxel_size_m())) || IsLeft(p_map)))
     sight = {.is_seen = true, .is_front = true};
   return sight;

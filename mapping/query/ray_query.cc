@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// How far along the ray it meets the triangle, from either side; infinity if it does not (Moeller and Trumbore 1997).
-/// A little over the edges, so that none slips through between two triangles.
+/// The length along the ray at which it hits the triangle from either side; infinity if it misses (Moeller and Trumbore
+/// 1997). Triangles are slightly enlarged, so that no ray passes between two of them.
 double MeetingOf(const TriangleCorners& triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
   constexpr double kMissed = std::numeric_limits<double>::infinity(), kOver = 1e-6;
   const Eigen::Vector3d a = triangle[0].cast<double>();
   const Eigen::Vector3d ab = triangle[1].cast<double>() - a, ac = triangle[2].cast<double>() - a;
   const Eigen::Vector3d across = direction.cross(ac);
   const double determinant = ab.dot(across);
-  if (std::abs(determinant) < 1e-15) return kMissed;  // edge-on: its neighbours are met
+  if (std::abs(determinant) < 1e-15) return kMissed;  // edge-on: it hits a neighbour
   const Eigen::Vector3d from_a = origin - a;
   const double u = from_a.dot(across) / determinant;
   if (u < -kOver || u > 1 + kOver) return kMissed;
@@ -32,7 +32,7 @@ double MeetingOf(const TriangleCorners& triangle, const Eigen::Vector3d& origin,
   return along >= 0 ? along : kMissed;
 }
 
-/// One by each coordinate, none infinite.
+/// The reciprocal of each coordinate, always finite.
 Eigen::Vector3f InverseOf(const Eigen::Vector3d& direction) {
   constexpr double kLeast = 1e-12;
   Eigen::Vector3f inverse;
@@ -42,8 +42,8 @@ Eigen::Vector3f InverseOf(const Eigen::Vector3d& direction) {
   return inverse;
 }
 
-/// Calls visit(along_m, triangle) for triangles of a submap that the ray meets within `limit_m`, in no order to rely
-/// on; it returns the limit from then on, below 0 to end it. `is_there`: see NearestSearch.
+/// Calls visit(along_m, triangle) for triangles of a submap that the ray hits within `limit_m`, in no particular order.
+/// `visit` returns the new limit, below 0 to stop. `is_there`: see NearestSearch.
 template <typename Visitor>
 void VisitMet(const MapSurfaces& surfaces, std::size_t number, const std::vector<bool>& is_there, const Ray& ray,
               double limit_m, Visitor&& visit) {
@@ -119,11 +119,11 @@ RayHit RayQuery::FirstHit(const Ray& ray) const {
   return hit;
 }
 
-/// From voxel to voxel (Amanatides and Woo 1987).
+/// Voxel traversal (Amanatides and Woo 1987).
 double RayQuery::SeenUpTo(const Ray& ray, double end_m) const {
   const double size_m = world_.voxel_size_m();
   constexpr double kMostReach_vox = 1 << 30;
-  if (ray.origin_m.cwiseAbs().maxCoeff() + end_m > kMostReach_vox * size_m) return 0;  // nobody can have been there
+  if (ray.origin_m.cwiseAbs().maxCoeff() + end_m > kMostReach_vox * size_m) return 0;  // no sensor can have been there
   VoxelIndex voxel = VoxelAt(ray.origin_m, size_m);
   std::int32_t* const index[3] = {&voxel.x, &voxel.y, &voxel.z};
   Eigen::Vector3d next_m, step_m;  // along the ray: to the next voxel in each axis, and between two

@@ -14,8 +14,8 @@ namespace dhpmap {
 namespace {
 
 constexpr std::size_t kMostSurfacePoints = 4096;
-constexpr double kLeastInside = 0.2;  // of what is below a thing, is the one that it is in
-constexpr double kReach_m = 0.5;      // of feet, or 4 voxels
+constexpr double kLeastInside = 0.2;  // share of its support by an enclosing body
+constexpr double kReach_m = 0.5;      // around feet, or 4 voxels
 
 class Finder {
  public:
@@ -44,7 +44,7 @@ class Finder {
     for (std::size_t number = 0; number < surfaces_.index().entries().size() && !stop_.stop_requested(); ++number) {
       const Submap& submap = surfaces_.index().entries()[number].submap();
       if (submap.info().panoptic == Panoptic::kUnknown || !question_.scope.Holds(submap.info())) continue;
-      constexpr std::uint64_t kEver = 0;  // all of the surface: of a large submap that takes long
+      constexpr std::uint64_t kEver = 0;  // all of the surface: takes long for a large submap
       surfaces_.surface(number).PrepareUsedSince(kEver, surfaces_.state(), submap, stop_);
       if (stop_.stop_requested()) break;
       RelatedBody body{.number = number, .submap = &submap, .box_m = SurfaceBox(surfaces_, number, T_query_map)};
@@ -60,13 +60,13 @@ class Finder {
     return {body, SurfacePoints(surfaces_, body.number, question_.T_map_query.inverse(), kMostSurfacePoints)};
   }
 
-  /// Rounded outwards by a millimetre.
+  /// Enlarged by a millimetre for rounding.
   [[nodiscard]] Eigen::AlignedBox3f InTree(const Eigen::AlignedBox3d& box_m, double grow_m) const {
     const Eigen::Vector3d grow = Eigen::Vector3d::Constant(grow_m + 1e-3);
     return {(box_m.min() - origin_m_ - grow).cast<float>(), (box_m.max() - origin_m_ + grow).cast<float>()};
   }
 
-  /// Those that may have to do with it, by ascending id.
+  /// Bodies that may be related to it, sorted by id.
   std::vector<std::uint32_t> Around(const RelatedBody& body) {
     const double reach_m = std::max({question_.rules.most_gap_m, kReach_m, 4 * body.submap->info().voxel_size_m});
     std::vector<std::uint32_t> around;
@@ -77,7 +77,7 @@ class Finder {
   }
 
   [[nodiscard]] bool IsEnough() const { return found_.size() >= question_.most; }
-  /// Whether all of its relations were told before.
+  /// Whether all its relations were returned on earlier pages.
   [[nodiscard]] bool IsBefore(const RelatedBody& subject) const {
     return question_.after && subject.id() < question_.after->subject;
   }
@@ -93,11 +93,11 @@ class Finder {
            std::find(question_.kinds->begin(), question_.kinds->end(), kind) != question_.kinds->end();
   }
 
-  /// Bodies around one, and what it is on and in: positions among them.
+  /// Bodies around one, and those that it is on or in, as indices.
   struct Surroundings {
-    std::vector<const RelatedBody*> bodies;  ///< by ascending id
+    std::vector<const RelatedBody*> bodies;  ///< sorted by id
     std::vector<SupportShare> held_by;
-    std::map<std::size_t, double> enclosure;  ///< of those that it is in
+    std::map<std::size_t, double> enclosure;  ///< of those that enclose it
   };
   const Surroundings& SurroundingsOf(const RelatedThing& thing) {
     const auto known = surroundings_.find(thing.body.number);
@@ -110,12 +110,12 @@ class Finder {
       if (&bodies_[b] != &thing.body) around.bodies.push_back(&bodies_[b]);
     }
     const RelationRules& rules = question_.rules;
-    // What encloses a thing is below it: so no wall encloses what stands in the room.
+    // A body encloses a thing only if it is also below it, so walls do not enclose things in a room.
     const double least = std::min(kLeastInside, rules.least_support);
     around.held_by = WhatTouches(thing, around.bodies, least, world_, surface_, stop_);
     for (std::size_t i = 0; i < around.bodies.size() && !stop_.stop_requested(); ++i) {
       const bool is_below = IsHeldBy(around, i);
-      if (!is_below && !around.bodies[i]->IsThing()) continue;  // a picture lies close to a wall all around
+      if (!is_below && !around.bodies[i]->IsThing()) continue;  // a picture is close to a wall in all directions
       const double enclosure = EnclosureOf(thing, *around.bodies[i], is_below, world_, surface_, stop_);
       if (enclosure >= rules.least_enclosure) around.enclosure.emplace(i, enclosure);
     }
@@ -126,7 +126,7 @@ class Finder {
     return around;
   }
 
-  /// What is in something rests on that alone; all else on what holds enough of it.
+  /// A thing in a container rests on containers only; others rest on bodies with sufficient support.
   static void KeepHolders(double least_support, Surroundings& around) {
     double inside = 0;
     for (const SupportShare& held : around.held_by) inside += around.enclosure.contains(held.body) ? held.share : 0;
@@ -149,7 +149,7 @@ class Finder {
       if (IsAskedFor(bodies_[a], *surroundings.bodies[i])) Compare(thing, surroundings, i, found);
     }
     std::erase_if(found, [this](const Relation& relation) { return !IsAfter(relation); });
-    // What was found with a stop under way may be wrong.
+    // Results after a stop request may be wrong.
     if (!stop_.stop_requested()) found_.insert(found_.end(), found.begin(), found.end());
   }
 
@@ -178,7 +178,7 @@ class Finder {
                        [i](const SupportShare& held) { return held.body == i; });
   }
 
-  /// Of what a thing is in, whether nothing else is between: a cup in a box in a shelf is in the box.
+  /// Whether a container is the innermost: a cup in a box in a shelf is in the box.
   [[nodiscard]] bool IsInnermost(const Surroundings& around, std::size_t i) {
     return std::none_of(around.enclosure.begin(), around.enclosure.end(), [&](const auto& container) {
       const RelatedBody& inner = *around.bodies[container.first];
@@ -191,7 +191,7 @@ class Finder {
                        [&](const auto& container) { return around.bodies[container.first] == &object; });
   }
 
-  // Each is without a subject if it does not hold.
+  // Each function returns a relation without subject if it does not hold.
 
   static Relation On(const RelatedThing& thing, const Surroundings& around, std::size_t i) {
     for (const SupportShare& held : around.held_by) {
@@ -215,7 +215,7 @@ class Finder {
             .gap_m = GapOf(thing, *around.bodies[i])};
   }
 
-  /// The least distance between a thing and what is around it.
+  /// The smallest distance between a thing and a body.
   double GapOf(const RelatedThing& thing, const RelatedBody& object) {
     double gap_m = object.box_m.diagonal().norm();
     for (const Eigen::Vector3d& p : thing.points_m) {
@@ -247,10 +247,10 @@ class Finder {
   const std::stop_token& stop_;
   const QueryWorld world_;
   OneSurface surface_;
-  std::vector<RelatedBody> bodies_;  // by ascending id
+  std::vector<RelatedBody> bodies_;  // sorted by id
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();
-  BoxTree tree_;                                      // of their boxes
-  std::map<std::size_t, Surroundings> surroundings_;  // of those that were looked at, by number
+  BoxTree tree_;                                      // of the bodies' boxes
+  std::map<std::size_t, Surroundings> surroundings_;  // computed so far, by index
   std::vector<Relation> found_;
 };
 

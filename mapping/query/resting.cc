@@ -10,16 +10,16 @@
 namespace dhpmap {
 namespace {
 
-constexpr double kStrayShare = 0.0025;   // of a surface, below an object: not what it stands on
-constexpr std::size_t kLeastStray = 4;   // triangles
-constexpr double kAside_vox = 3;         // surfaces end up to a voxel before each other, and where they touch is a hole
-constexpr double kAbove_vox = 0.5;       // a surface may be above what it holds
-constexpr double kTouch_vox = 2;         // below
-constexpr double kNear_vox = 1;          // as near nothing hangs
-constexpr double kFeet_m = 0.5;          // as long as a chair's
+constexpr double kStrayShare = 0.0025;   // of a surface, below an object: outliers, not its foot
+constexpr std::size_t kLeastStray = 4;   // in triangles
+constexpr double kAside_vox = 3;         // surfaces end up to a voxel apart, and have a hole where they touch
+constexpr double kAbove_vox = 0.5;       // a surface may be above the thing that it holds
+constexpr double kTouch_vox = 2;         // below the foot
+constexpr double kNear_vox = 1;          // hanging things have more distance
+constexpr double kFeet_m = 0.5;          // length of a chair's legs
 constexpr double kLeastUp = 0.70710678;  // cosine of 45 degrees
-constexpr double kLeastHeld = 0.05;      // of the columns: under a large thing nobody sees the floor
-constexpr double kLeastAtStuff = 0.1, kLeastFree = 0.5, kAllFree = 0.9;  // of points and columns, of what hangs
+constexpr double kLeastHeld = 0.05;      // of the columns: the floor below a large thing is unobserved
+constexpr double kLeastAtStuff = 0.1, kLeastFree = 0.5, kAllFree = 0.9;  // of points and columns, for hanging things
 
 class Resting {
  public:
@@ -43,7 +43,7 @@ class Resting {
   }
 
   [[nodiscard]] std::size_t num_columns() const { return feet_m_.size(); }
-  /// Shares are numbers of columns. `slope`: so much farther aside a surface may be, for each metre below.
+  /// Shares are numbers of columns. `slope`: additional lateral distance allowed for each metre below.
   std::vector<SupportShare> Within(double below_m, double slope) {
     std::vector<SupportShare> shares;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -57,7 +57,7 @@ class Resting {
     return shares;
   }
 
-  /// Whether nothing but free space is right below it, or free space, and stuff above it or at its side.
+  /// Whether the space right below is free; if it is partly free, stuff must be above or beside the thing.
   [[nodiscard]] bool Hangs(const QueryWorld& world) { return HangsAtStuff(world) || FreeBelow(world) >= kAllFree; }
 
   [[nodiscard]] bool HangsAtStuff(const QueryWorld& world) { return FreeBelow(world) >= kLeastFree && IsAtStuff(); }
@@ -72,7 +72,7 @@ class Resting {
     return static_cast<double>(num_free) / static_cast<double>(std::max<std::size_t>(1, feet_m_.size()));
   }
 
-  /// Counts the column for the body that holds it.
+  /// Counts the column for the body that supports it.
   void AddHolder(const Eigen::Vector3d& foot, double below_m, double slope, std::vector<SupportShare>& shares) {
     double limit_m = std::hypot(kAside_vox * voxel_m_ + slope * below_m, below_m);
     SupportShare* holder = nullptr;
@@ -115,10 +115,10 @@ class Resting {
   OneSurface& surface_;
   const std::stop_token& stop_;
   const double voxel_m_;
-  std::vector<Eigen::Vector3d> feet_m_;  ///< of the columns
+  std::vector<Eigen::Vector3d> feet_m_;  ///< bottoms of the columns
 };
 
-/// Numbers of columns as shares of those that are held.
+/// Converts numbers of columns to shares of the supported columns.
 std::vector<SupportShare> LargeShares(std::vector<SupportShare> held, std::size_t num_columns, double least_share) {
   double num_held = 0;
   for (const SupportShare& share : held) num_held += share.share;

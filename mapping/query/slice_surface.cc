@@ -14,12 +14,12 @@ namespace {
 
 constexpr int kStripRows = 16, kChunkColumns = 64;
 
-/// What planes along the axes leave of a triangle: convex.
+/// The part of a triangle between axis-aligned planes: a convex polygon.
 struct CutTriangle {
-  std::array<Eigen::Vector3d, 10> corners;  // three, and one more for each of six planes at most
+  std::array<Eigen::Vector3d, 10> corners;  // three, plus one for each of six planes
   std::size_t count = 0;
 
-  /// Keeps what is not below (sign 1) or above (sign -1) a value on an axis.
+  /// Keeps the part that is not below (sign 1) or above (sign -1) a value on an axis.
   [[nodiscard]] CutTriangle Beyond(int axis, double value, double sign) const {
     CutTriangle kept;
     for (std::size_t i = 0; i < count; ++i) {
@@ -53,7 +53,7 @@ struct CutTriangle {
   }
 };
 
-/// Cells from `first` to below `end` that a range meets.
+/// The cells in [first, end) that a range intersects.
 std::pair<int, int> CellsOf(const std::pair<double, double>& range_cells, int first, int end) {
   const double from = std::clamp(std::floor(range_cells.first), static_cast<double>(first), static_cast<double>(end));
   const double to = std::clamp(std::floor(range_cells.second), first - 1.0, end - 1.0);
@@ -84,7 +84,7 @@ void SliceSurface::FillStrip(int first_row, const std::stop_token& stop) {
 }
 
 void SliceSurface::Visit(int first_column, int end_column, const std::stop_token& stop) {
-  constexpr double kMargin_m = 1e-5;  // against rounding: what is cut is cut exactly
+  constexpr double kMargin_m = 1e-5;  // for rounding: the cut itself is exact
   const double side_m = options_.resolution_m;
   const Eigen::Vector3d low(options_.min_m.x() + first_column * side_m,
                             options_.min_m.y() + strip_ * kStripRows * side_m, options_.min_z_m);
@@ -110,7 +110,7 @@ void SliceSurface::Add(const std::array<Eigen::Vector3d, 3>& triangle, std::uint
   whole = whole.Between(2, options_.min_z_m, options_.max_z_m);
   if (whole.count == 0) return;
   const int first_row = strip_ * kStripRows;
-  // From here on in cells of the strip.
+  // From here on in units of the strip's cells.
   for (std::size_t i = 0; i < whole.count; ++i) {
     whole.corners[i].head<2>() = (whole.corners[i].head<2>() - options_.min_m) / options_.resolution_m;
   }
@@ -130,7 +130,7 @@ void SliceSurface::Add(const std::array<Eigen::Vector3d, 3>& triangle, std::uint
   }
 }
 
-/// Whose most is: of two that have as much, the first.
+/// The object with most area; on ties the first.
 void SliceSurface::Conclude() {
   std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
     return std::tie(a.cell, a.number, a.area_m2) < std::tie(b.cell, b.number, b.area_m2);

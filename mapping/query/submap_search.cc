@@ -20,7 +20,7 @@ bool HasPart(const std::string& text, const std::string& part) {
                      [](char a, char b) { return Lower(a) == Lower(b); }) != text.end();
 }
 
-/// Asks one submap at a time how near it is.
+/// Finds the distance of one submap at a time.
 class Nearness {
  public:
   explicit Nearness(const MapSurfaces& surfaces)
@@ -60,7 +60,7 @@ class Search {
   }
 
  private:
-  /// All of it, as far as it is not there; of a large submap that takes long. False: told to stop.
+  /// Makes the missing parts of the whole surface; takes long for a large submap. False: stopped.
   [[nodiscard]] bool MakeSurface(std::size_t number) const {
     constexpr std::uint64_t kEver = 0;
     surfaces_.surface(number).PrepareUsedSince(kEver, surfaces_.state(), surfaces_.index().entries()[number].submap(),
@@ -88,7 +88,7 @@ class Search {
     return matches;
   }
 
-  /// By the distance of their boxes, until no box is nearer than the farthest match.
+  /// Visits boxes in order of distance, until no box is nearer than the farthest match.
   std::vector<SubmapMatch> Nearest() {
     const Eigen::Vector3d p_map = question_.T_map_query * *question_.near_m;
     std::vector<std::pair<double, std::size_t>> candidates;
@@ -100,7 +100,7 @@ class Search {
     const auto is_before = [](const SubmapMatch& a, const SubmapMatch& b) {
       return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.submap->id() < b.submap->id();
     };
-    std::vector<SubmapMatch> best;  // a heap, the farthest on top
+    std::vector<SubmapMatch> best;  // a heap with the farthest on top
     double limit_m = question_.max_distance_m.value_or(kFarAway_m);
     for (const auto& [box_m, number] : candidates) {
       if (box_m > limit_m || question_.most == 0 || stop_.stop_requested()) break;
@@ -144,7 +144,7 @@ class Search {
     return MakeSurface(number) && SurfaceIsIn(surfaces_, number, T_query_map_, *question_.box_m);
   }
 
-  static constexpr double kFarAway_m = 1e9;  // squared, it is a float
+  static constexpr double kFarAway_m = 1e9;  // its square fits into a float
 
   const MapSurfaces& surfaces_;
   const SubmapQuestion& question_;

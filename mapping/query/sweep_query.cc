@@ -12,10 +12,10 @@
 namespace dhpmap {
 namespace {
 
-/// What a step of a sphere counts, beside what it looks at.
+/// Work of one step of a sphere, besides the objects that it visits.
 constexpr std::int64_t kStepWork = 64;
 
-/// More than any point of the sphere's surface moves.
+/// An upper bound of the motion of any point on the sphere's surface.
 double WayOf(const SphereKnot& from, const SphereKnot& to) {
   return (to.center_m - from.center_m).norm() + std::abs(to.radius_m - from.radius_m);
 }
@@ -122,7 +122,7 @@ double SweepQuery::DepthAt(const SphereKnot& knot, std::size_t number) const {
   return std::max(0.0, reach_m - (found.is_behind && !found.is_beside ? -distance_m : distance_m));
 }
 
-/// By halves, of which those whose box is free as a whole need no more.
+/// By bisection: halves whose box is entirely free are not divided further.
 std::optional<SweepContact> SweepQuery::FirstUnseen(std::span<const SphereKnot> knots, double until,
                                                     const std::stop_token& stop, WorkBudget* work) const {
   if (knots.empty() || knots.front().at > until || stop.stop_requested()) return std::nullopt;

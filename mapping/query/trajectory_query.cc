@@ -18,7 +18,7 @@ double ReachOf(const std::vector<AttachedShape::Ball>& balls) {
   return reach_m;
 }
 
-/// What is met where it is deeper than anything is near is the least clearance.
+/// If the penetration at the contact exceeds the smallest clearance, it becomes the smallest clearance.
 void TakeDeeper(const TrajectoryContact& first, std::optional<TrajectoryClearance>& clearance) {
   const bool is_deeper = !clearance || -first.depth_then_m < clearance->least.distance_m;
   if (first.contact.submap == nullptr || first.depth_then_m <= 0 || !is_deeper) return;
@@ -80,8 +80,8 @@ void TrajectoryQuery::Add(const SweepQuery& query, const TrajectoryContact& part
     answer.contacts.push_back(contact);
     if (round >= options_.max_contacts || stop.stop_requested() || !SpendOf(work, 1)) return;
     if (contact.contact.submap != nullptr) left.scope.may_touch.push_back(contact.contact.submap->id);
-    else left.unknown = UnknownSpace::kFree;  // told once
-    // Beyond the surface of what it met, it is soon behind surfaces that it never touches.
+    else left.unknown = UnknownSpace::kFree;  // report it only once
+    // Beyond the touched surface the motion is soon behind surfaces that it never touches.
     found = sweep(SweepQuery(surfaces_, left, /*counts_inside=*/false), kNever);
   }
 }
@@ -95,7 +95,7 @@ SweepAnswer TrajectoryQuery::SweepAttached(const SweepQuery& query, const Attach
         query.First(path.Carried(group.around.center_m, group.around.radius_m), until, stop, work);
     if (!rough.first && !rough.unknown_at) continue;
     for (const AttachedShape::Ball& ball : group.balls) {
-      if (stop.stop_requested() || !SpendOf(work, 1)) break;  // on a long way each takes its time
+      if (stop.stop_requested() || !SpendOf(work, 1)) break;  // on a long motion each ball takes a while
       const SweepAnswer found = query.First(path.Carried(ball.center_m, ball.radius_m), until, stop, work);
       if (found.unknown_at) best.unknown_at = std::min(found.unknown_at.value(), best.unknown_at.value_or(kNever));
       if (!found.first || (best.first && best.first->at <= found.first->at)) continue;
@@ -172,7 +172,7 @@ Result<TrajectoryAnswer> TrajectoryQuery::Check(const RobotMotion& motion, const
         unknown_at);
   }
   if (options_.with_clearance) answer.clearance = ClearanceOf(motion, stop, work);
-  if (is_over()) return NobodyWaits();  // then not all was looked at
+  if (is_over()) return NobodyWaits();  // then the check is incomplete
   std::stable_sort(answer.contacts.begin(), answer.contacts.end(),
                    [](const auto& a, const auto& b) { return a.at < b.at; });
   if (answer.contacts.size() > options_.max_contacts) answer.contacts.resize(options_.max_contacts);

@@ -15,7 +15,7 @@
 namespace dhpmap {
 namespace {
 
-/// 2 to 3 MB, and for a slice of some 100 m with a band of some metres all blocks of several rows of cells.
+/// 2 to 3 MB; in a slice of about 100 m with a band of a few metres, all blocks of several rows of cells.
 constexpr std::size_t kMostBlocks = 16384;
 
 constexpr bool HasVoxel(const FreeMask& mask, int linear) {
@@ -27,7 +27,7 @@ constexpr void Set(FreeMask& mask, int linear) {
 
 }  // namespace
 
-/// Gathers what the submaps say of one block.
+/// Combines the submaps' voxels of one block.
 class VoxelStates::Maker {
  public:
   Maker(const QueryWorld& world, BlockIndex index, bool with_objects)
@@ -84,7 +84,7 @@ class VoxelStates::Maker {
   const bool with_objects_;
   const FreeMask looked_through_, free_, left_;
   FreeMask in_front_{};
-  std::array<float, kBlockVoxels> nearest_m_;  // set once anything is occupied
+  std::array<float, kBlockVoxels> nearest_m_;  // valid once something is occupied
   Block block_;
 };
 
@@ -137,7 +137,7 @@ FreeMask VoxelStates::Block::Unknown() const {
   return unknown;
 }
 
-/// Of the block that was asked for last.
+/// For the block requested last.
 void VoxelStates::LookBehind(Block& block) {
   block.is_behind_known = true;
   const FreeMask unknown = block.Unknown();

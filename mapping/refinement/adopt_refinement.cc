@@ -31,7 +31,7 @@ void VisitWritten(const SubmapMarks& before, const Submap* now, Visitor&& visit)
   }
 }
 
-/// Calls visit(BlockIndex) for the blocks that were there and are not in `now`, which may be null.
+/// Calls visit(BlockIndex) for the blocks that existed before and are missing in `now`, which may be null.
 template <typename Visitor>
 void VisitErased(const SubmapMarks& before, const Submap* now, Visitor&& visit) {
   for (const auto& old : before.tiles()) {
@@ -47,8 +47,8 @@ bool IsOnSameGrid(const SubmapInfo& before, const SubmapInfo& now) {
   return before.T_map_submap.isApprox(now.T_map_submap, 0) && before.voxel_size_m == now.voxel_size_m;
 }
 
-/// Whether what was refined of it is still that of the same object, and it may be written to: frames do not count,
-/// every edit does, and so does undoing it.
+/// Whether the refinement of a submap can be adopted: it is the same object, unlocked, and not edited since. Frames do
+/// not matter; every edit does, and so does its undo.
 bool CanTakeOver(const SubmapInfo& before, const SubmapInfo& now) {
   return IsOnSameGrid(before, now) && before.edited_revision == now.edited_revision &&
          before.is_placed == now.is_placed && !now.is_locked;
@@ -60,7 +60,7 @@ const RefinedSubmap* FindIn(const std::vector<RefinedSubmap>& submaps, SubmapId 
   return found != submaps.end() && found->id == id ? &*found : nullptr;
 }
 
-/// Positions that must stay as they are now.
+/// Positions whose current voxels must not change.
 Positions PositionsThatStay(const RefinementOutcome& outcome, const Map& map) {
   Positions stay;
   const auto add = [&stay](BlockIndex index) { stay.insert(index); };
@@ -74,7 +74,7 @@ Positions PositionsThatStay(const RefinementOutcome& outcome, const Map& map) {
       VisitErased(*old, now, add);
       continue;
     }
-    // Removed, locked or edited in any way: neither what it held nor what it was given can be put anywhere.
+    // Removed, locked or edited: its previous and its newly assigned voxels cannot be placed.
     VisitErased(*old, nullptr, add);
     if (const RefinedSubmap* given = FindIn(outcome.written, id)) {
       for (const BlockEntry& entry : given->written) add(entry.index);
@@ -83,7 +83,7 @@ Positions PositionsThatStay(const RefinementOutcome& outcome, const Map& map) {
   return stay;
 }
 
-/// Takes the blocks that refinement changed; returns whether there were any.
+/// Adopts the blocks that refinement changed; returns whether there were any.
 bool TakeBlocks(const RefinedSubmap& refined, const Positions& stay, Submap& now, Positions& deferred) {
   std::unordered_map<BlockIndex, const BlockEntry*, BlockIndexHash> changed;  // null: erased
   for (const BlockEntry& entry : refined.written) changed.emplace(entry.index, &entry);

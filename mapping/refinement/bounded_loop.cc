@@ -10,7 +10,7 @@
 namespace dhpmap {
 namespace {
 
-/// What waits, and how much is under way. Thread-safe.
+/// The waiting items, and the total size of the running ones. Thread-safe.
 class Waiting {
  public:
   Waiting(std::span<const std::size_t> sizes, std::size_t most_at_once)
@@ -18,7 +18,7 @@ class Waiting {
     std::iota(items_.begin(), items_.end(), std::size_t{0});
   }
 
-  /// The next item, once there is one that fits; nothing when none is left.
+  /// The next item that fits, waiting for one if necessary; nothing when all were taken.
   std::optional<std::size_t> Take() DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     while (!items_.empty()) {

@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// The first choice of some voxels, if they all agree.
+/// The most-seen instance of some voxels, and whether it is disputed.
 struct FirstChoice {
   bool is_disputed = false;
   std::optional<SubmapId> instance;
@@ -22,7 +22,7 @@ struct FirstChoice {
   }
 };
 
-/// Whether a list of counts has two labels in front: what is around the voxel may choose either.
+/// Whether the two highest counts are equal: then neighbours may decide.
 class Lead {
  public:
   void operator()(SubmapCount seen) {
@@ -36,7 +36,7 @@ class Lead {
   bool is_tied_ = false;
 };
 
-/// What was concluded earlier may be otherwise now.
+/// An earlier conclusion may change, so such voxels are disputed.
 FirstChoice ChoiceOf(const HeldBlock& block, const KnownInstances& known) {
   FirstChoice choice;
   const LabelBlock& labels = *block.entry->labels;
@@ -50,7 +50,7 @@ FirstChoice ChoiceOf(const HeldBlock& block, const KnownInstances& known) {
   return choice;
 }
 
-/// All blocks at one index: a run of the list of CollectBlocks.
+/// All blocks at one index: a range in the list of CollectBlocks.
 struct Place {
   BlockIndex index;
   std::uint32_t begin = 0, end = 0;
@@ -81,7 +81,7 @@ class Places {
 
   [[nodiscard]] const ScratchVector<Place>& all() const { return places_; }
 
-  /// Calls visit(number of the place) for those within the rim of `index`, itself included.
+  /// Calls visit(index of the place) for the places within the rim of `index`, including itself.
   template <typename Visitor>
   void VisitAround(BlockIndex index, Visitor&& visit) const {
     VisitBlocksAround(index, rim_, [&](BlockIndex around) {
@@ -101,8 +101,8 @@ void Append(const Place& place, ScratchVector<std::uint32_t>& blocks) {
   for (std::uint32_t i = place.begin; i < place.end; ++i) blocks.push_back(i);
 }
 
-/// A surface lies within a cell's diagonal of the voxels that show it. On two KITTI excerpts labels are as right as
-/// with the whole band of 6 voxels, or righter, for half the time.
+/// The surface is within a cell's diagonal of the voxels that show it. On two KITTI excerpts labels are as correct as
+/// with the whole band of 6 voxels, or more so, in half the time.
 constexpr double kMostDistance_vox = 2.001;
 
 constexpr std::int32_t FloorDiv(std::int32_t a, std::int32_t b) { return (a >= 0 ? a : a - b + 1) / b; }
@@ -130,7 +130,7 @@ ScratchVector<HeldBlock> CollectBlocks(std::span<const SubmapId> ids, const Map&
 std::vector<CrfTile> CutTiles(std::span<const HeldBlock> blocks, const KnownInstances& known, int side, int rim,
                               ThreadPool& pool, const RefinementRegion* region) {
   const Places places(blocks, known, rim, pool);
-  std::map<BlockIndex, ScratchVector<std::uint32_t>> cubes;  // disputed places; ordered, so that the result is
+  std::map<BlockIndex, ScratchVector<std::uint32_t>> cubes;  // disputed places; sorted, so that the result is
   for (std::uint32_t p = 0; p < places.all().size(); ++p) {
     const BlockIndex& index = places.all()[p].index;
     if (!places.all()[p].is_disputed || (region != nullptr && !region->Has(CubeOf(index)))) continue;

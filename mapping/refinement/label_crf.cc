@@ -17,12 +17,12 @@
 namespace dhpmap {
 namespace {
 
-/// Of tiles under way. Some 80 voxels a block and 0.5 kB a voxel make 50 MB of it, on machines of many cores more. The
-/// sample apartment's largest tile has 1,178 blocks.
+/// Limits of blocks in running tiles. With about 80 voxels per block and 0.5 kB per voxel they take 50 MB, more on
+/// machines with many cores. The sample apartment's largest tile has 1,178 blocks.
 constexpr std::size_t kMostBlocksAtOnce = 1400, kMostBlocksAThread = 500;
 
-/// Paper eq. (2) for one voxel: the most likely label within reach of the place; where none is more likely, the one
-/// that was seen most.
+/// Paper eq. (2) for one voxel: the most likely label within reach of the place; on a tie with the most-seen label,
+/// that one.
 SubmapId LikeliestLabel(std::span<const float> q, const LabelChannels& channels, std::uint32_t place,
                         SubmapId most_seen) {
   SubmapId best = most_seen;
@@ -36,7 +36,7 @@ SubmapId LikeliestLabel(std::span<const float> q, const LabelChannels& channels,
   return best;
 }
 
-/// A label a member, the rim's included, by what the CRF makes of it.
+/// The label of each member, including the rim, from the CRF's values.
 ScratchVector<SubmapId> Conclude(const TileProblem& problem, std::span<const float> values) {
   const auto stride = static_cast<std::size_t>(problem.channels().num_channels());
   ScratchVector<SubmapId> labels(problem.members().size());
@@ -54,7 +54,7 @@ struct TileOutcome {
   std::int64_t num_voxels = 0;  // without the rim
 };
 
-/// What becomes of the inner voxels of a tile, from what was seen alone, whatever was concluded before.
+/// Solves the inner voxels of a tile from observations only, regardless of earlier conclusions.
 TileOutcome SolveTile(std::span<const HeldBlock> blocks, const KnownInstances& known, const CrfTile& tile, int rim,
                       const MapConfig& config) {
   const TileProblem problem(blocks, known, tile, rim, config.voxel_size_m);
@@ -101,7 +101,7 @@ LabelCrfReport RefineLabels(std::span<const SubmapId> ids, Map& map, ThreadPool&
     if (!is_cancelled || !is_cancelled()) outcomes[t] = SolveTile(blocks, known, tiles[t], rim, config);
   });
 
-  // Tiles are disjoint, and so is what becomes of their voxels.
+  // Tiles are disjoint, so their handovers are, too.
   ScratchVector<Handover> handovers;
   for (const TileOutcome& outcome : outcomes) {
     handovers.insert(handovers.end(), outcome.handovers.begin(), outcome.handovers.end());

@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// A mask's border and a grazing ray label voxels far before and behind the surface, wrongly more often than not.
+/// Borders of masks and grazing rays label voxels far before and behind the surface, more often wrongly than not.
 constexpr float kAtSurface_vox = 1.5f;
 
 }  // namespace

@@ -16,7 +16,7 @@ CubeIndex CubeOfTile(TileIndex tile) {
   return CubeOf(BlockIndex{tile.x * kTileSide, tile.y * kTileSide, tile.z * kTileSide});
 }
 
-/// Block by block: what was refined and taken over is in other tiles than it was made in.
+/// Compares block by block, because adopted blocks are in other tiles than the refined ones.
 bool IsSameTile(const TileMarks& before, const TileEntry& now) {
   if (before.IsOf(now)) return true;
   const std::span<const BlockEntry> entries = now.tile->entries();
@@ -25,7 +25,7 @@ bool IsSameTile(const TileMarks& before, const TileEntry& now) {
                      [&](const BlockEntry& entry) { return before.At(CellOf(entry.index)).IsOf(entry); });
 }
 
-/// Calls visit(TileIndex) for the tiles that one of both has, or that are not the same in both. Either may be null.
+/// Calls visit(TileIndex) for tiles that only one of both has, or that differ. Either may be null.
 template <typename Visitor>
 void VisitDifferentTiles(const SubmapMarks* before, const Submap* now, Visitor&& visit) {
   if (before != nullptr && now != nullptr && before->HaveUnread(*now)) return;
@@ -40,7 +40,7 @@ void VisitDifferentTiles(const SubmapMarks* before, const Submap* now, Visitor&&
   }
 }
 
-/// The cubes of tiles, and those around that they have a say in.
+/// Collects the cubes of tiles and those around that they affect.
 class Around {
  public:
   Around(int rim, std::set<CubeIndex>& cubes) : reach_(std::max(0, (rim + kCubeSide - 1) / kCubeSide)), cubes_(cubes) {}
@@ -64,7 +64,7 @@ class Around {
   CubeIndex last_;
 };
 
-/// Of a submap that is refined; else null.
+/// The submap if it is refined, else null.
 const Submap* Refined(const Submap* submap, const MapConfig& config) {
   return submap != nullptr && IsRefined(submap->info(), config) ? submap : nullptr;
 }

@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-/// Such labels are restored from what is known of the whole submap.
+/// Dropped labels are restored from the whole submap.
 bool HasDroppedLabels(const MapSnapshot& state) {
   const auto is_without = [](const TileEntry& tile) {
     return (tile.tile->CellsWith(BlockLayer::kTsdf) & ~tile.tile->CellsWith(BlockLayer::kLabels)) != 0;

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// Blocks of one submap.
+/// Cuts the blocks of one submap.
 class PartOfSubmap {
  public:
   PartOfSubmap(const Submap& whole, const RegionPart& part)
@@ -26,7 +26,7 @@ class PartOfSubmap {
       num_in_part += part_.Has(BlockIn(tile.index, std::countr_zero(left))) ? 1u : 0u;
     }
     if (num_in_part == tile.tile->size()) return cut_->PutTile(tile.index, tile.tile);
-    if (num_in_part == 0 && has_one_elsewhere_) return;  // nothing of it is needed, nor read
+    if (num_in_part == 0 && has_one_elsewhere_) return;  // nothing of it is needed or read
     const auto some = std::make_shared<BlockTile>();
     for (const BlockEntry& block : tile.tile->entries()) {
       if (!part_.Has(block.index) && !IsFirstElsewhere(block)) continue;
@@ -55,7 +55,7 @@ Map GoOnFrom(const MapSnapshot& state, const RegionPart& part) {
     submaps.push_back(part.IsAll() ? submap : PartOfSubmap(*submap, part).Take());
   const auto own = std::make_shared<MapSnapshot>(state.info(), std::move(submaps));
   Map map(own);
-  *own = MapSnapshot(state.info(), {});  // nobody else has seen it, and the map must not keep it
+  *own = MapSnapshot(state.info(), {});  // only this function refers to it, and the map must not keep it
   return map;
 }
 

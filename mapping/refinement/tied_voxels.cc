@@ -18,7 +18,7 @@ constexpr double kOnSurface_vox = 0.01;
 
 constexpr int kNeighbours[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
 
-/// The labels that a member has seen as often as `likeliest`, without it; empty if it has seen that one never.
+/// The labels that a member has seen as often as `likeliest`, without it; empty if it has never seen `likeliest`.
 void FindTied(const TileProblem& problem, const TileProblem::Member& member, SubmapId likeliest,
               std::vector<SubmapId>& tied) {
   std::uint32_t count_of_likeliest = 0;
@@ -35,14 +35,14 @@ void FindTied(const TileProblem& problem, const TileProblem::Member& member, Sub
   });
 }
 
-/// Before the surface (1), behind it (-1), or on it: what rounding decides is neither side, so that a map that was
-/// stored and loaded in between is refined as one that was not.
+/// In front of the surface (1), behind it (-1), or on it (0). Within rounding it counts as on the surface, so that a
+/// map that was stored and loaded in between is refined alike.
 int SideOf(const TileProblem& problem, const TileProblem::Member& member) {
   const double distance_vox = problem.BlockOf(member).entry->tsdf->distance_m[member.linear] / problem.voxel_size_m();
   return distance_vox > kOnSurface_vox ? 1 : distance_vox < -kOnSurface_vox ? -1 : 0;
 }
 
-/// What is at the six neighbours of a member on the other side of the surface.
+/// The labels of the neighbours (of six) on the other side of the surface.
 struct Across {
   std::array<SubmapId, 6> labels;
   std::size_t num = 0;

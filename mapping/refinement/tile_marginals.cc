@@ -14,16 +14,15 @@
 namespace dhpmap {
 namespace {
 
-/// Sightings of a voxel that has none: below, evidence hardly counts.
+/// Count for a voxel without observations; evidence below it has little effect.
 constexpr float kPriorCount = 1.0f;
 
-/// The unary term of paper eq. (3) from evidence instead of from shares, for which 300 against 200 sightings are no
-/// more than 3 against 2: the difference between two labels in standard deviations of what chance alone would make of
-/// it.
+/// The unary term of paper eq. (3), from evidence instead of shares: with shares, 300 against 200 observations would
+/// equal 3 against 2. It is the difference between two labels in standard deviations of pure chance.
 float EnergyOf(float evidence, float all) { return -evidence / std::sqrt(all + kPriorCount); }
 
-/// Evidence becomes unaries. Labels that do not occur within reach of a voxel are impossible there, so that a crowd
-/// elsewhere in the tile says nothing about it; one that does, and that it has not seen, has no evidence.
+/// Converts evidence to unaries. A label that does not occur within reach of a voxel is impossible there, so that many
+/// observations elsewhere in the tile have no effect; a label within reach that the voxel has not seen has no evidence.
 void BecomeUnaries(const TileProblem& problem, std::span<float> values) {
   const LabelChannels& channels = problem.channels();
   const auto num_channels = static_cast<std::size_t>(channels.num_channels());

@@ -9,7 +9,7 @@ namespace {
 constexpr double kMostGroups = 1 << 18;  // 2 MiB of pointers
 constexpr double kFarthest_vox = 1 << 28;
 
-/// As VoxelAt and BlockOf, without a call: of a point that is no farther than kFarthest_vox.
+/// Like VoxelAt and BlockOf, inlined; for points within kFarthest_vox.
 Eigen::Array3i BlockAtVoxels(const Eigen::Array3d& p_vox) {
   Eigen::Array3i block;
   for (int axis = 0; axis < 3; ++axis) {

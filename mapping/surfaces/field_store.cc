@@ -7,8 +7,8 @@
 namespace dhpmap {
 namespace {
 
-/// Whether a field may be wrong after that. What goes counts by its distance alone: whatever a field holds of it lies
-/// within the horizon. What comes must be nearer than the field's own surfaces somewhere in the cell.
+/// Whether a change may invalidate a field. A removed surface counts by its distance only: what a field contains of it
+/// is within the horizon. An added surface must be nearer than the field's own surfaces somewhere in the cell.
 bool Concerns(const SurfaceChange& change, const NearField& field, const FieldReach& reach) {
   constexpr double kSlack_m = 1e-4;
   const std::vector<SubmapId>& held = field.submaps();
@@ -26,7 +26,7 @@ bool Concerns(const SurfaceChange& change, const NearField& field, const FieldRe
   });
 }
 
-/// Whether nothing near it has changed.
+/// Whether nothing near the field has changed.
 bool Holds(const NearField& field, const std::vector<std::shared_ptr<const std::vector<SurfaceChange>>>& changes) {
   const FieldReach reach = field.Reach();
   for (const auto& of_state : changes) {
@@ -40,7 +40,7 @@ bool Holds(const NearField& field, const std::vector<std::shared_ptr<const std::
 }  // namespace
 
 std::optional<std::uint64_t> FieldStore::Append(std::uint64_t before, std::vector<SurfaceChange> changed) {
-  constexpr std::size_t kMostChanges = 256;  // what nobody asked for in as many states is made again
+  constexpr std::size_t kMostChanges = 256;  // fields not requested within this many states are made again
   auto changes = std::make_shared<const std::vector<SurfaceChange>>(std::move(changed));
   Changes forgotten;
   const MutexLock lock(mutex_);
@@ -76,7 +76,7 @@ std::shared_ptr<const NearField> FieldStore::Find(BlockIndex block, std::uint64_
   const MutexLock lock(mutex_);
   const auto found = entries_.find(block);
   if (found == entries_.end() || found->second.field != known.field) return holds ? known.field : nullptr;
-  if (state <= found->second.checked) return known.field;  // somebody else has found so meanwhile
+  if (state <= found->second.checked) return known.field;  // another thread has confirmed it meanwhile
   if (holds) {
     found->second.checked = state;
     return known.field;
@@ -92,14 +92,14 @@ void FieldStore::Put(BlockIndex block, std::uint64_t state, std::shared_ptr<cons
   if (bytes_ + field->MemoryBytes() > ledger_->most_field_bytes) DropOldest(dropped);
   Entry& entry = entries_[block];
   if (entry.field != nullptr) {
-    if (entry.checked > state) return;  // that one is of more use
+    if (entry.checked > state) return;  // the other one is newer
     bytes_ -= entry.field->MemoryBytes();
   }
   bytes_ += field->MemoryBytes();
   field = std::exchange(entry, {std::move(field), state, state, ledger_->time.load(std::memory_order_relaxed)}).field;
 }
 
-/// Half of them, so that it comes seldom.
+/// Drops half of them, so that it happens rarely.
 void FieldStore::DropOldest(Fields& dropped) {
   if (entries_.empty()) return;
   std::vector<std::uint64_t> times;

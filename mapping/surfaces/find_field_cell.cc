@@ -43,13 +43,13 @@ const FieldCell* FindFieldCell(const MapSurfaces& surfaces, DistanceFields::Slot
     std::shared_ptr<const NearField> known = store->Find(block, fields.state());
     return known == nullptr ? nullptr : KeepField(surfaces, slot, block, std::move(known));
   }
-  // Whoever counts on makes it.
+  // The thread that increments the counter makes the field.
   if (num_asked != enough || !slot.compare_exchange_strong(num_asked, enough + 1)) return nullptr;
   const BlockIndex block = fields.BlockAt(p_map);
   std::shared_ptr<const NearField> made;
   try {
     made = NearFieldMaker(surfaces).Make(block, store->ledger());
-  } catch (...) {  // there was no memory, or not all of it could be read: another one may make it
+  } catch (...) {  // memory has run out, or pages are unreadable: another query may make it
     std::uintptr_t before = enough + 1;
     (void)slot.compare_exchange_strong(before, enough);
     throw;

@@ -16,7 +16,7 @@ TileIndex TileBeside(TileIndex tile, std::uint32_t where) {
   return {tile.x + k % 3 - 1, tile.y + k / 3 % 3 - 1, tile.z + k / 9 - 1};
 }
 
-/// Whether it is the very object, whether or not that is still there.
+/// Whether it is the same object, even if that has been destroyed.
 bool IsObject(const std::weak_ptr<const Submap>& known, const std::shared_ptr<const Submap>& submap) {
   return !known.owner_before(submap) && !submap.owner_before(known);
 }
@@ -50,7 +50,7 @@ GridSharers::GridSharers(const MapSnapshot& state, const GridSharers* before) : 
   Apply(std::move(changes), *tiles);
   const auto is_empty = [](const Tile& tile) { return tile.here->empty(); };
   const auto num_empty = std::count_if(tiles->tiles.begin(), tiles->tiles.end(), is_empty);
-  if (2 * static_cast<std::size_t>(num_empty) > tiles->tiles.size()) {  // mostly of what has gone
+  if (2 * static_cast<std::size_t>(num_empty) > tiles->tiles.size()) {  // most entries are of removed submaps
     submaps_.clear();
     *tiles = {};
     Apply(TakeSubmaps(nullptr), *tiles);
@@ -82,7 +82,7 @@ void GridSharers::AddChanges(SubmapId id, const std::vector<TilePart>& then, con
   }
 }
 
-/// Those that take part, and in what they differ from before.
+/// The submaps that take part, and their differences from before.
 std::vector<GridSharers::Change> GridSharers::TakeSubmaps(const GridSharers* before) {
   static const std::vector<TilePart> kNothing;
   std::vector<Change> changes;
@@ -110,7 +110,7 @@ std::vector<GridSharers::Change> GridSharers::TakeSubmaps(const GridSharers* bef
   return changes;
 }
 
-/// What is around a tile changes if anything in the 27 does.
+/// The surroundings of a tile change if any of the 27 tiles does.
 void GridSharers::Apply(std::vector<Change> changes, Tiles& all) {
   std::sort(changes.begin(), changes.end(),
             [](const Change& a, const Change& b) { return std::tie(a.tile, a.submap) < std::tie(b.tile, b.submap); });

@@ -41,7 +41,7 @@ TriangleCorners NearField::CornersOf(const Triangle& triangle) {
   return corners;
 }
 
-/// Eight at a time; of a list that does not fill the last eight its last one again.
+/// Eight triangles at a time; a partly filled group repeats its last triangle.
 DHPMAP_VECTOR_CLONES
 std::uint32_t NearField::NearestOf(const Eigen::Vector3f& p, const List& list) const {
   constexpr auto kLanes = static_cast<std::uint32_t>(TrianglePacket::kLanes);
@@ -67,7 +67,7 @@ std::uint32_t NearField::NearestOf(const Eigen::Vector3f& p, const List& list) c
   return lists_[list.first + std::min(best, list.count - 1)];
 }
 
-/// To lay two side by side takes longer than to look at both.
+/// Combining two triangles in a vector would take longer than testing both.
 std::uint32_t NearField::NearestOfTwo(const Eigen::Vector3f& p, std::uint32_t first) const {
   const std::uint32_t a = lists_[first], b = lists_[first + 1];
   const auto distance2 = [&](std::uint32_t i) {
@@ -86,11 +86,11 @@ NearField::Nearest NearField::Find(const Eigen::Vector3f& p, const List& list) c
   nearest.away = p - point;
   nearest.normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   nearest.submap = triangle.submap;
-  // On which side: by the face, or by all that meet in the edge or corner that is nearest (Baerentzen and Aanaes,
-  // Signed distance computation using the angle weighted pseudonormal, 2005).
+  // The side: by the face, or by all faces at the nearest edge or corner (Baerentzen and Aanaes, Signed distance
+  // computation using the angle weighted pseudonormal, 2005).
   float side = nearest.normal.dot(nearest.away);
   const float across2 = side * side, face2 = nearest.normal.squaredNorm() * nearest.away.squaredNorm();
-  constexpr float kFace = 1 - 1e-4f;  // squared cosine, above which it does not matter what else is there
+  constexpr float kFace = 1 - 1e-4f;  // squared cosine; above it the other faces do not matter
   nearest.is_across = across2 >= kFace * face2;
   if (!nearest.is_across) {
     std::size_t corner = 0;

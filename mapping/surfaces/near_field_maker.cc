@@ -17,8 +17,8 @@ namespace {
 
 constexpr float kRounding_m = 2e-6f;
 constexpr std::size_t kMostCandidates = 30000;
-constexpr std::size_t kFew = 8;    // are looked at at once
-constexpr std::size_t kSome = 16;  // take less time than what more cubes cost
+constexpr std::size_t kFew = 8;    // tested directly
+constexpr std::size_t kSome = 16;  // cheaper to test than more cubes
 constexpr std::uint16_t kNotKept = 0xFFFF;
 constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
 
@@ -75,7 +75,7 @@ std::shared_ptr<const NearField> NearFieldMaker::Make(BlockIndex block, std::sha
   return field;
 }
 
-/// All triangles that are nearest to any point of the cell, and some more: none that is as near is missing.
+/// Gathers all triangles that are nearest to some point of the cell, and some more; never misses one.
 void NearFieldMaker::Gather(const Eigen::Vector3d& centre_m, const FieldReach& reach) {
   pools_[0].Clear();
   numbers_.clear();
@@ -108,7 +108,7 @@ void NearFieldMaker::Gather(const Eigen::Vector3d& centre_m, const FieldReach& r
   alone_.clear();
 }
 
-/// What is left of a level's pool in one of its cubes, as a leaf or divided further.
+/// Makes a node for the rest of a level's pool in one of its cubes: a leaf, or divided further.
 std::uint32_t NearFieldMaker::Divide(std::size_t level, const Eigen::Vector3f& middle, float half) {
   const Pool& pool = pools_[level];
   Measure(pool, middle, half);
@@ -117,8 +117,8 @@ std::uint32_t NearFieldMaker::Divide(std::size_t level, const Eigen::Vector3f& m
     nearest = std::min(nearest, *std::min_element(eight.distance, std::end(eight.distance)));
   const float least = std::max(0.0f, nearest - std::sqrt(3.0f) * half);  // in the cube
   const float tolerance = std::min(most_tolerance_, static_cast<float>(NearField::kShare) * least);
-  // Only where all agree on which side of them the cube is may any be left out that is the nearest somewhere: which
-  // side that says counts for much more than how far it is.
+  // Triangles that are nearest somewhere may be dropped only if all agree on the side of the cube, because the side
+  // matters much more than the distance.
   constexpr int kRoundsAbove = 3, kRoundsInLeaf = 6;
   Thin(pool, middle, half, 0, kRoundsAbove);
   saved_ = alive_;
@@ -140,7 +140,7 @@ std::uint32_t NearFieldMaker::Divide(std::size_t level, const Eigen::Vector3f& m
   return node;
 }
 
-/// Of which triangles' planes all of a cube is in front, or behind.
+/// Which triangles have the whole cube in front of their plane, and which behind.
 DHPMAP_ALWAYS_INLINE void NearFieldMaker::MeasureSides(const TrianglePacket& packet, const Float8 (&middle)[3],
                                                        float half, std::uint8_t& front, std::uint8_t& back) {
   const auto at = [&packet](int corner, int axis) -> const Float8& {
@@ -179,7 +179,7 @@ void NearFieldMaker::Measure(const Pool& pool, const Eigen::Vector3f& middle, fl
     alignas(32) float share[kLanes];
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const float squared = eight.distance[lane];
-      const bool is_there = squared >= 0;  // a number
+      const bool is_there = squared >= 0;  // not NaN
       const float distance = std::sqrt(is_there ? squared : 0.0f);
       eight.distance[lane] = is_there ? distance : std::numeric_limits<float>::infinity();
       share[lane] = distance > kRounding_m ? 1 / distance : 0;
@@ -203,7 +203,7 @@ bool NearFieldMaker::IsOneSided() const {
   return are_front || are_back;
 }
 
-/// Drops what others outdo, the nearest first.
+/// Drops triangles that others dominate, the nearest first.
 void NearFieldMaker::Thin(const Pool& pool, const Eigen::Vector3f& middle, float half, float slack, int num_rounds) {
   picked_.assign(alive_.size(), 0);
   for (int round = 0; round < num_rounds; ++round) {
@@ -295,7 +295,7 @@ std::uint32_t NearFieldMaker::MakeLeaf(const Pool& pool, bool is_unsure) {
   return NearField::kLeaf | static_cast<std::uint32_t>(leaves_.size() - 1);
 }
 
-/// What is left of a pool, the nearest first.
+/// Lists the remaining triangles of a pool, the nearest first.
 void NearFieldMaker::List(const Pool& pool, Leaf& leaf) {
   listed_.clear();
   for (std::size_t i = 0; i < alive_.size(); ++i) {
@@ -304,7 +304,7 @@ void NearFieldMaker::List(const Pool& pool, Leaf& leaf) {
       listed_.emplace_back(tangents_[i].distance[lane], static_cast<std::uint32_t>(i * kLanes + lane));
     }
   }
-  if (listed_.size() > NearField::kMostInList) return;  // not known
+  if (listed_.size() > NearField::kMostInList) return;  // the list is too long: unknown
   std::sort(listed_.begin(), listed_.end());
   leaf.first = static_cast<std::uint32_t>(field_->lists_.size());
   leaf.count = static_cast<std::uint32_t>(listed_.size());
@@ -329,7 +329,7 @@ std::uint32_t NearFieldMaker::CodeOf(const Leaf& leaf) const {
          (may_end ? NearField::kMayEnd : 0) | leaf.first;
 }
 
-/// Of the submap of a triangle, together with what that needs.
+/// The number of a triangle's submap, together with the submaps that the triangle needs.
 std::uint16_t NearFieldMaker::NumberInField(std::uint32_t id) {
   const SubmapId submap = surfaces_.index().entries()[numbers_[id]].submap().id();
   const std::span<const SubmapId> needed = needed_[id];
@@ -357,7 +357,7 @@ std::uint16_t NearFieldMaker::Keep(std::uint32_t id, const TriangleCorners& tria
   return kept_[id];
 }
 
-/// Lays the upper levels out as a grid, down to where less than a quarter of the cubes are divided.
+/// Stores the upper levels as a grid, down to the level at which less than a quarter of the cubes are divided.
 void NearFieldMaker::Lay(std::uint32_t root) {
   std::vector<std::uint32_t> level = {root}, next;
   int num_levels = 0;
@@ -377,7 +377,7 @@ void NearFieldMaker::Lay(std::uint32_t root) {
   field_->grid_ = std::move(level);
 }
 
-/// What is below the grid.
+/// Copies the nodes below the grid.
 std::uint32_t NearFieldMaker::Copy(std::uint32_t at) {
   if ((at & NearField::kLeaf) != 0) return CodeOf(leaves_[at & ~NearField::kLeaf]);
   const auto copy = static_cast<std::uint32_t>(field_->nodes_.size());
@@ -389,7 +389,8 @@ std::uint32_t NearFieldMaker::Copy(std::uint32_t at) {
   return copy;
 }
 
-/// Of the corners and edges of what is kept, from all triangles around them; and which surfaces may end there.
+/// Adds normals of corners and edges of the listed triangles, from all triangles around them, and which surfaces may
+/// end there.
 void NearFieldMaker::AddNormals() {
   may_end_.assign(numbers_.size(), false);
   std::vector<std::uint32_t> wanted;
@@ -405,7 +406,7 @@ void NearFieldMaker::AddNormals() {
   places.reserve(wanted.size());
   for (const std::uint32_t id : wanted) places.push_back(normals.Want(triangle(id)));
   const auto surface_of = [this](std::uint32_t number) {
-    constexpr std::uint32_t kOnMapGrid = 0xFFFFFFFE;  // one surface, whoever has it
+    constexpr std::uint32_t kOnMapGrid = 0xFFFFFFFE;  // counts as one surface for all its submaps
     return surfaces_.index().entries()[number].IsInMapFrame() ? kOnMapGrid : number;
   };
   for (const std::uint32_t id : all.ids) normals.Add(triangle(id), surface_of(numbers_[id]));
@@ -415,7 +416,7 @@ void NearFieldMaker::AddNormals() {
       goes_on = goes_on && normals.GoesOn(places[i].corners[k]) && normals.GoesOn(places[i].edges[k]);
     }
     may_end_[wanted[i]] = !goes_on;
-    (void)NumberInField(wanted[i]);  // what becomes of it concerns the field, whether it is listed or not
+    (void)NumberInField(wanted[i]);  // a change of it concerns the field, listed or not
     if (kept_[wanted[i]] == kNotKept) continue;
     NearField::Triangle& kept = field_->triangles_[kept_[wanted[i]]];
     for (std::size_t k = 0; k < 3; ++k) {

@@ -6,7 +6,7 @@
 namespace dhpmap {
 
 void NearbyCells::LeaveEarlier() const {
-  std::shared_ptr<const Earlier> left;  // goes without the mutex
+  std::shared_ptr<const Earlier> left;  // destroyed without the mutex
   const MutexLock lock(mutex_);
   has_earlier_.store(false, std::memory_order_relaxed);
   left.swap(earlier_);

@@ -18,13 +18,13 @@
 namespace dhpmap {
 namespace {
 
-/// Rounding of a tile's coordinates, in floats, as a share of how wide it is: some ten units in the last place.
+/// Rounding of a tile's float coordinates relative to its width: about ten units in the last place.
 constexpr double kCoordinateRounding = 2e-6;
 
-/// A triangle's say on the side of those to whom `point` of it is nearest: its angle there (Baerentzen and Aanaes,
-/// Signed distance computation using the angle weighted pseudonormal, 2005).
+/// The weight of a triangle for the side of points to which `point` of it is nearest: its angle there (Baerentzen and
+/// Aanaes, Signed distance computation using the angle weighted pseudonormal, 2005).
 float AngleAt(const TriangleCorners& triangle, const Eigen::Vector3f& point) {
-  constexpr float kHalfTurn = 3.14159265f;  // on an edge, which two triangles share; inside, any will do
+  constexpr float kHalfTurn = 3.14159265f;  // on an edge shared by two triangles; inside, any value works
   for (std::size_t i = 0; i < 3; ++i) {
     if (point != triangle[i]) continue;
     const Eigen::Vector3f u = triangle[(i + 1) % 3] - point, v = triangle[(i + 2) % 3] - point;
@@ -37,7 +37,7 @@ Eigen::Vector3f NormalOf(const TriangleCorners& triangle) {
   return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
 }
 
-/// Distances between points of one cell, in floats, are less by no more than this.
+/// Rounding reduces float distances between points of one cell by no more than this factor.
 constexpr float kRounding = 1 - 1e-5f;
 
 }  // namespace
@@ -52,7 +52,7 @@ NearestSearch::NearestSearch(const MapSurfaces& surfaces, const std::vector<bool
   touches_.reserve(8);
 }
 
-/// (d + r)^2, r being the rounding of the coordinates, and 1e-5 more: near a surface r is most of it.
+/// (d + r)^2, where r is the rounding of coordinates, plus 1e-5: near a surface r dominates.
 float NearestSearch::WithRounding(float distance2) const {
   return distance2 * (1 + 2e-5f) + (2 * std::sqrt(distance2) + rounding_m_) * rounding_m_;
 }
@@ -165,7 +165,7 @@ void NearestSearch::GoToNextTile() {
   LeaveCell();
 }
 
-/// The tiles have been gone through: is that all that may be near?
+/// All tiles of the cell were searched: checks whether others may be nearer.
 void NearestSearch::LeaveCell() {
   const float seen_m = kRounding * cell_->complete_m - way_m_;
   if (!(seen_m > 0 && limit2_ <= seen_m * seen_m)) {
@@ -175,8 +175,8 @@ void NearestSearch::LeaveCell() {
   stage_ = Stage::kDone;
 }
 
-/// What is nearest to a point of the cell is no farther from the centre than what is nearest to that, and twice the way
-/// between the two.
+/// The surface nearest to a point of the cell is no farther from the centre than the surface nearest to the centre,
+/// plus twice the distance between the two points.
 const NearbyCell& NearestSearch::MakeCell() {
   const NearbyCells& cells = surfaces_.cells();
   const Eigen::Vector3d p_map = p_map_, centre_m = cells.CentreAt(p_map);
@@ -236,7 +236,7 @@ void NearestSearch::VisitPending(Visitor&& visit) {
   const SubmapIndex& index = surfaces_.index();
   while (!heap_.empty()) {
     const Pending here = Pop();
-    if (here.distance2 > limit2_) return;  // and so is all that is left
+    if (here.distance2 > limit2_) return;  // and so are all others
     if (here.height > 0) {
       PushChildren(here);
       continue;
@@ -280,7 +280,7 @@ void NearestSearch::PushChildren(const Pending& node) {
   }
 }
 
-/// Goes on with its tiles.
+/// Continues with its tiles.
 void NearestSearch::OpenSubmap(std::uint32_t number, float least2) {
   const SubmapIndex::Entry& entry = surfaces_.index().entries()[number];
   const Eigen::Vector3d p_submap = entry.ToSubmap(p_map_);
@@ -350,11 +350,11 @@ NearestSurface NearestSearch::Found() {
   found.sight = cell_ == nullptr ? nullptr : &cell_->sight;
   float most2 = std::numeric_limits<float>::infinity();
   if (touches_.size() > 1) {
-    // In one order, however they were found, so that the same is said of a seam each time.
+    // Sort, so that the result at a seam does not depend on the order of discovery.
     std::sort(touches_.begin(), touches_.end(), [](const Touch& a, const Touch& b) {
       return std::tie(a.tile.number, a.tile.tile, a.position) < std::tie(b.tile.number, b.tile.tile, b.position);
     });
-    // Measured again, and not to the last bit as it was: the nearest of them counts for this, so that there is one.
+    // Measured again, with different rounding: the nearest result is the reference, so that at least one qualifies.
     float nearest2 = std::numeric_limits<float>::infinity();
     for (const Touch& touch : touches_) {
       const Eigen::Vector3f point = NearestPointOf(touch.tile.triangles->triangle(touch.position), touch.tile.p);
@@ -368,9 +368,9 @@ NearestSurface NearestSearch::Found() {
     const TriangleCorners triangle = touch.tile.triangles->triangle(touch.position);
     const Eigen::Vector3f point = NearestPointOf(triangle, touch.tile.p), away = touch.tile.p - point;
     const float distance2 = away.squaredNorm();
-    if (distance2 > most2) continue;  // was as near as the nearest of that time
+    if (distance2 > most2) continue;  // qualified only for an earlier minimum
     const Eigen::Vector3f normal = NormalOf(triangle);
-    // Alone it says which side that is with whatever angle.
+    // A single triangle needs no weight.
     side += touches_.size() == 1 ? normal.dot(away) : AngleAt(triangle, point) * normal.dot(away);
     if (distance2 >= least2) continue;
     least2 = distance2;
@@ -390,12 +390,12 @@ bool NearestSearch::IsBeside(const Touch& nearest) {
   const TriangleCorners triangle = nearest.tile.triangles->triangle(nearest.position);
   const Eigen::Vector3f point = NearestPointOf(triangle, nearest.tile.p), away = nearest.tile.p - point;
   const float distance_m = away.norm(), same_m = 4 * rounding_m_;
-  // Across the face it matters as little whether the surface ends there as it does on it.
-  constexpr float kAcross = 0.9998f;  // cosine of a degree
+  // Straight above or below the face it does not matter whether the surface ends there; nor on the surface.
+  constexpr float kAcross = 0.9998f;  // cosine of about one degree
   if (distance_m <= same_m || std::abs(NormalOf(triangle).dot(away)) >= kAcross * distance_m) return false;
   const std::span<const SubmapIndex::Entry> entries = surfaces_.index().entries();
   const Eigen::Vector3d point_submap = surfaces_.surface(nearest.tile.number).FromTile(point, nearest.tile.tile);
-  // On the map's grid it goes on in its neighbours'.
+  // On the map's grid the surface continues in neighbouring submaps.
   const auto goes_on_in = [&](std::uint32_t number) {
     return number == nearest.tile.number ||
            (entries[number].IsInMapFrame() && entries[nearest.tile.number].IsInMapFrame());

@@ -9,7 +9,7 @@ namespace {
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
-/// Calls visit(triangle) with each triangle, in the asker's frame.
+/// Calls visit(triangle) for each triangle, in the frame of the query.
 template <typename Visitor>
 void ForEachTriangle(const MapSurfaces& surfaces, std::size_t number, const Transform& T_query_map, Visitor&& visit) {
   const Submap& submap = surfaces.index().entries()[number].submap();
@@ -27,7 +27,7 @@ void ForEachTriangle(const MapSurfaces& surfaces, std::size_t number, const Tran
   }
 }
 
-/// Cuts off what of a convex polygon is beyond a plane of the box (Sutherland and Hodgman 1974). True if any is left.
+/// Clips a convex polygon at the planes of the box (Sutherland and Hodgman 1974). True if any of it remains.
 bool IsTriangleIn(const Triangle& triangle, const Eigen::AlignedBox3d& box) {
   Eigen::AlignedBox3d around;
   for (const Eigen::Vector3d& corner : triangle) around.extend(corner);

@@ -7,7 +7,7 @@
 namespace dhpmap {
 namespace {
 
-/// A sphere's cube, rounded outwards: a voxel at the rim must not be lost.
+/// The cube around a sphere, rounded outwards, so that no voxel at the border is lost.
 Eigen::AlignedBox3d CubeAround(const BoundingSphere& sphere) {
   const double radius_m = sphere.radius_m * (1 + 1e-9) + 1e-9 * sphere.center_m.norm();
   return {sphere.center_m - Eigen::Vector3d::Constant(radius_m), sphere.center_m + Eigen::Vector3d::Constant(radius_m)};
@@ -57,7 +57,7 @@ SubmapIndex::SubmapIndex(const SubmapIndex& before, std::vector<Entry> entries, 
   for (const std::size_t number : changed) box_m.extend(BoxInMap(entries_[number]));
   const bool is_in_reach = (box_m.min() - before.origin_m_).cwiseAbs().maxCoeff() <= before.reach_m_ &&
                            (box_m.max() - before.origin_m_).cwiseAbs().maxCoeff() <= before.reach_m_;
-  // Half of the boxes elsewhere: then a new tree is worth it.
+  // Rebuild the tree if half of the boxes have changed.
   if (!is_in_reach || before.entries_.size() != entries_.size() ||
       2 * (before.num_replaced_ + changed.size()) > entries_.size()) {
     Build();
@@ -77,7 +77,7 @@ Eigen::AlignedBox3d SubmapIndex::BoxInMap(const Entry& entry) {
 }
 
 Eigen::AlignedBox3f SubmapIndex::BoxInTree(const Eigen::AlignedBox3d& box_m) const {
-  // Single precision, and rotations, must not lose a voxel at the rim.
+  // Single precision and rotations must not lose a voxel at the border.
   const auto rounding_m = static_cast<float>(1e-6 * reach_m_ + 1e-9 * origin_m_.norm());
   return {(box_m.min() - origin_m_).cast<float>() - Eigen::Vector3f::Constant(rounding_m),
           (box_m.max() - origin_m_).cast<float>() + Eigen::Vector3f::Constant(rounding_m)};

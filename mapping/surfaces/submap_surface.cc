@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-/// Around the tile's blocks and one voxel more, as far as its cells reach; rounded outwards in the tree's floats.
+/// Bounds of the tile's blocks plus one voxel, the extent of its cells; rounded outwards in the tree's floats.
 Eigen::AlignedBox3d BoxOf(const TileEntry& tile, double voxel_size_m) {
   Eigen::AlignedBox3d box;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(voxel_size_m);
@@ -28,7 +28,7 @@ SubmapSurface::SubmapSurface(const Submap& submap, const GridSharers* grid, cons
   std::vector<Tile> tiles;
   std::vector<Eigen::AlignedBox3d> boxes_m;
   std::vector<TilePlace> places;
-  std::vector<std::size_t> wanted;  // by place, its tile
+  std::vector<std::size_t> wanted;  // tiles to make, by place
   for (const TileEntry& entry : submap.blocks().tiles()) {
     const Eigen::AlignedBox3d box = BoxOf(entry, voxel_size_m);
     if (box.isEmpty()) continue;

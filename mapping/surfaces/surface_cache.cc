@@ -10,9 +10,9 @@
 namespace dhpmap {
 namespace {
 
-constexpr std::size_t kCentre = 13;  // of a TileNeighbourhood
+constexpr std::size_t kCentre = 13;  // index in a TileNeighbourhood
 
-/// Surfaces that keep the state alive they refer to.
+/// Surfaces that keep their state alive.
 std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> state,
                                             std::shared_ptr<const MapSurfaces> surfaces) {
   const MapSurfaces* both = surfaces.get();
@@ -20,7 +20,7 @@ std::shared_ptr<const MapSurfaces> HoldBoth(std::shared_ptr<const MapSnapshot> s
   return {std::make_shared<const Both>(std::move(state), std::move(surfaces)), both};
 }
 
-/// What is known of what is there no longer.
+/// Drops entries whose keys have been destroyed.
 template <typename Map>
 void DropExpired(Map& map, std::vector<std::shared_ptr<const void>>& forgotten) {
   std::erase_if(map, [&](const auto& known) {
@@ -74,7 +74,8 @@ void MapSurfaces::GoOnFrom(const MapSurfaces* before, const std::shared_ptr<Surf
   fields_ = std::make_unique<const DistanceFields>(index_.box_m(), voxel_size_m_, std::move(store), field_state);
 }
 
-/// What has become of those of an earlier state, of which only what this has copies of counts. Null: too much is new.
+/// The cells of an earlier state that remain valid; only data copied to this object are used. Null: too much has
+/// changed.
 std::shared_ptr<const NearbyCells::Earlier> MapSurfaces::CellsOf(const MapSurfaces& before,
                                                                  std::span<const SurfaceChange> changes) const {
   auto earlier = std::make_shared<NearbyCells::Earlier>();
@@ -91,7 +92,7 @@ std::shared_ptr<const NearbyCells::Earlier> MapSurfaces::CellsOf(const MapSurfac
     part.is_same = before.parts_[number].surface == parts_[now].surface;
     if (!part.is_same) part.tiles = before.surface(number).PositionsIn(surface(now));
   }
-  constexpr std::size_t kMostNew = 256;  // boxes: to look at more would cost what a new cell does
+  constexpr std::size_t kMostNew = 256;  // boxes: checking more would cost as much as making a cell
   for (const SurfaceChange& change : changes) {
     if (change.is_gone) continue;
     if (earlier->new_m.size() + change.boxes_m.size() > kMostNew) return nullptr;
@@ -119,7 +120,7 @@ bool MapSurfaces::Holds(std::span<const SubmapId> needed, const std::vector<bool
          });
 }
 
-/// Of what was, only what this has copies of: the state may be gone.
+/// Uses only data copied to this object: the earlier state may have been destroyed.
 std::vector<SurfaceChange> MapSurfaces::ChangesSince(const MapSurfaces& before) const {
   std::vector<SurfaceChange> changes;
   const auto add = [&changes](const MapSurfaces& state, std::size_t number, bool is_gone, const SubmapSurface* other) {
@@ -207,7 +208,7 @@ bool SurfaceCache::IsWanted(const std::string& map) const {
 }
 
 void SurfaceCache::Freshen(const std::shared_ptr<const MapSnapshot>& state, const std::stop_token& stop) {
-  constexpr std::uint64_t kLately = 256;  // questions
+  constexpr std::uint64_t kLately = 256;  // in queries
   if (!IsWanted(state->info().name)) return;
   const std::uint64_t now = ledger_->time.load(std::memory_order_relaxed);
   const std::shared_ptr<const MapSurfaces> surfaces = Find(state, false);
@@ -238,13 +239,13 @@ std::shared_ptr<const MapSurfaces> SurfaceCache::Find(const std::shared_ptr<cons
   Forgotten forgotten;
   const MutexLock lock(mutex_);
   if (slots_.size() + submaps_.size() > sweep_at_) Sweep(forgotten);
-  if (asked_.contains(state->info().name)) {  // else it was forgotten meanwhile
+  if (asked_.contains(state->info().name)) {  // else it was evicted meanwhile
     Remember(states_[with_absent ? 1 : 0], state, made, forgotten);
   }
   return HoldBoth(state, std::move(made));
 }
 
-/// A few of each map: states that are kept to be read some day do not keep all that was made for them, too.
+/// Keeps a few states of each map: pinned states do not keep all surfaces made for them.
 void SurfaceCache::Remember(States& states, const std::shared_ptr<const MapSnapshot>& state,
                             const std::shared_ptr<const MapSurfaces>& made, Forgotten& forgotten) {
   constexpr std::size_t kMostOfAMap = 4;
@@ -254,7 +255,7 @@ void SurfaceCache::Remember(States& states, const std::shared_ptr<const MapSnaps
   std::erase(asked, state.get());
   asked.push_back(state.get());
   if (asked.size() <= kMostOfAMap) return;
-  // Another state may have the address by now: it is made again.
+  // Another state may have this address by now: its surfaces are made again.
   if (const auto oldest = states.known.find(asked.front()); oldest != states.known.end()) {
     forgotten.push_back(oldest->second.value);
     states.known.erase(oldest);
@@ -294,13 +295,13 @@ std::shared_ptr<const SubmapSurface> SurfaceCache::SurfaceOf(const std::shared_p
   if (before != nullptr && before->IsSameAs(*made)) made = before;  // it was renamed, moved or relabelled
   Known<Submap, SubmapSurface> now{submap, made};
   const MutexLock lock(mutex_);
-  // Else it may have slots that were dropped meanwhile, which nobody would know of any longer.
+  // Otherwise it may contain slots evicted meanwhile, which the cache would no longer count.
   if (num_evictions == num_evictions_) std::swap(submaps_[submap.get()], now);
   return made;
 }
 
-/// Those of the same tiles, of others before them that show the same, or new ones. What is looked at is not looked at
-/// under the mutex: a nice thread that loses its core meanwhile would keep everybody waiting.
+/// Slots of the same tiles, of equal earlier tiles, or new ones. Compares tiles without the mutex: a nice thread that
+/// is preempted would block all others.
 SubmapSurface::Slots SurfaceCache::SlotsOf(std::span<const TilePlace> places, double voxel_size_m,
                                            const SubmapSurface* before) {
   const auto centre_of = [](const TilePlace& place) -> const std::shared_ptr<const BlockTile>& {
@@ -330,9 +331,9 @@ SubmapSurface::Slots SurfaceCache::SlotsOf(std::span<const TilePlace> places, do
   forgotten.reserve(places.size());
   const MutexLock lock(mutex_);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    Known<BlockTile, TileSurfaceSlot>& there = slots_[centre_of(places[i]).get()];  // may have been let go of meanwhile
+    Known<BlockTile, TileSurfaceSlot>& there = slots_[centre_of(places[i]).get()];  // may have been evicted meanwhile
     if (there.value == slots[i] && !there.key.expired()) continue;
-    const bool is_new = !there.key.expired() && there.value != known[i];  // somebody else has been here
+    const bool is_new = !there.key.expired() && there.value != known[i];  // another thread has added it
     if (is_new && there.value->IsOf(places[i], voxel_size_m)) {
       forgotten.push_back(std::exchange(slots[i], there.value));
       continue;
@@ -361,8 +362,8 @@ void SurfaceCache::DropOldStates(Forgotten& forgotten) {
   for (States& states : states_) DropExpired(states.known, forgotten);
 }
 
-/// Forgets what nobody has any longer. Costs as much as there is, so it comes when that has grown by a quarter: while
-/// frames come, each state that is asked about leaves surfaces behind.
+/// Drops entries that nobody uses any longer. Linear in the number of entries, so it runs when that has grown by a
+/// quarter: during mapping each queried state leaves surfaces behind.
 void SurfaceCache::Sweep(Forgotten& forgotten) {
   DropExpired(slots_, forgotten);
   DropExpired(submaps_, forgotten);
@@ -379,7 +380,7 @@ void SurfaceCache::ForgetStates(Forgotten& forgotten) {
   }
 }
 
-/// One thread at a time; the others go on meanwhile.
+/// Only one thread evicts; others continue meanwhile.
 void SurfaceCache::Evict() {
   {
     const MutexLock lock(mutex_);
@@ -403,19 +404,18 @@ void SurfaceCache::Evict() {
   is_evicting_ = false;
 }
 
-/// Forgets surfaces, those that were not used for longest, until what is left takes three quarters of the limit, and
-/// all that refers to them. Cells are counted as they are: those of the states that were forgotten are freed by now,
-/// but for those in use.
+/// Evicts the least recently used surfaces, and all that refers to them, until three quarters of the limit are left.
+/// Cells are counted at their current size: those of evicted states are freed already, unless in use.
 void SurfaceCache::DropUnused() {
   Forgotten forgotten;
-  std::unordered_set<Slot> made;  // several tiles may show the same
+  std::unordered_set<Slot> made;  // several tiles may share one
   {
     const MutexLock lock(mutex_);
     for (const auto& [tile, known] : slots_) {
       if (known.value->bytes() > 0) made.insert(known.value);
     }
   }
-  // As they were used by now: others go on marking them.
+  // Copy the times of use, because other threads keep updating them.
   std::vector<std::pair<std::uint64_t, const TileSurfaceSlot*>> by_use;
   by_use.reserve(made.size());
   std::size_t bytes = ledger_->cell_bytes;
@@ -433,7 +433,7 @@ void SurfaceCache::DropUnused() {
   if (dropped.empty()) return;
   const MutexLock lock(mutex_);
   ++num_evictions_;
-  ForgetStates(forgotten);  // that somebody has asked about since
+  ForgetStates(forgotten);  // states queried since
   std::erase_if(submaps_, [&](const auto& known) {
     bool is_hit = false;
     known.second.value->ForEachSlot([&](const TileSurfaceSlot& slot) { is_hit |= dropped.contains(&slot); });

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// All that is in and around a tile, by whom.
+/// All tiles in and around a tile, with their submaps.
 std::vector<std::uint64_t> TilesOf(const TilePlace& place) {
   std::vector<std::uint64_t> tiles;
   tiles.reserve((place.around.size() + 1) * (1 + place.sharers.size()));
@@ -51,7 +51,7 @@ std::vector<TileSurfaceSlot::Layers> TileSurfaceSlot::LayersOf(const TilePlace& 
   for (const TilePlace::Sharer& sharer : place.sharers) {
     append(FindNames(sharer.around, place.tile), beside, sharer.id, true);
   }
-  // Whose a cell of several is depends on whose they are.
+  // The owner of a shared cell depends on the owners of its voxels.
   if (layers.size() > num_own && num_own > 0) layers[0].owner = place.owner;
   layers.shrink_to_fit();
   return layers;

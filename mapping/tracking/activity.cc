@@ -14,12 +14,12 @@
 namespace dhpmap {
 namespace {
 
-/// What a frame that does not show a thing says of it.
+/// The effect of a frame in which a thing was not observed.
 struct Miss {
-  bool counts = false;          ///< it is of a session that had it in sight, or nobody had
-  bool was_overlooked = false;  ///< it should have been seen, and is not confirmed
-  bool is_deserted = false;     ///< those who had it in sight send nothing any longer
-  bool is_kept_clear = false;   ///< where it lies, points of frames are left out: it stays
+  bool counts = false;          ///< its session had the thing in view, or no session had
+  bool was_overlooked = false;  ///< unconfirmed, and should have been observed
+  bool is_deserted = false;     ///< the sessions that had it in view no longer send frames
+  bool is_kept_clear = false;   ///< in an ignored region, where points are left out: it stays
 };
 
 bool LiesWithin(const KeptClear& kept_clear, const BoundingSphere& sphere) {
@@ -54,7 +54,7 @@ void NoteMiss(const PanopticFrame& frame, std::int64_t number, const Miss& miss,
   if (!info.sightings.IsInSight()) info.activity = Activity::kInactive;
 }
 
-/// What is contradicted is taken only where there is nothing else, and makes place for what is not.
+/// Contradicted voxels are merged only into empty ones, and replaced by others.
 void MergeBlock(const BlockEntry& from, Submap& submap, float max_weight) {
   TsdfBlock& into = submap.MutableTsdf(from.index);
   const std::shared_ptr<const GoneBlock> known = submap.blocks().Find(from.index)->gone;
@@ -102,13 +102,13 @@ int UpdateActivity(const PanopticFrame& frame, const std::vector<SubmapId>& obse
       continue;
     }
     const bool is_sure = before.is_confirmed || IsEdited(before);
-    if (before.activity == Activity::kInactive && is_sure) continue;  // settled: leave its row alone
+    if (before.activity == Activity::kInactive && is_sure) continue;  // inactive: do not write to its row
     const Miss miss = MissOf(frame, sight, number, *map.Find(id), map.info());
     if (!miss.counts && !miss.was_overlooked && !miss.is_deserted) continue;
     SubmapInfo& info = map.FindMutable(id)->mutable_info();
     NoteMiss(frame, number, miss, max_missed, info);
     const bool is_refuted = info.activity == Activity::kInactive && info.num_frames_overlooked >= max_missed &&
-                            !miss.is_kept_clear && !IsEdited(info);  // it may have been overlooked before
+                            !miss.is_kept_clear && !IsEdited(info);  // may have been overlooked before
     if (is_refuted && DissolveIntoUnknown(id, map)) ++num_dissolved;
   }
   return num_dissolved;

@@ -13,7 +13,7 @@
 namespace dhpmap {
 namespace {
 
-/// Whether at least half of the segment's points hit one thing that is of another class.
+/// Whether at least half of the segment's points hit a single thing of another class.
 bool IsCovered(const UnmatchedSegment& unmatched, std::int64_t num_points, const OverlapTable& overlaps,
                const Map& map) {
   const std::vector<std::int64_t>& hits = overlaps.hits[unmatched.segment];
@@ -28,7 +28,8 @@ struct Pair {
   std::size_t thing, segment;
 };
 
-/// Of one segment: the numbers of things of its class that at least half of its points lie on, with how many do.
+/// For one segment: indices of things of its class that are hit by at least half of its points, with the number of
+/// hits.
 std::vector<std::pair<std::size_t, std::int64_t>> ThingsBelow(const UnmatchedSegment& unmatched,
                                                               const SegmentBundles& bundles, const ThingsInView& things,
                                                               const std::vector<bool>& is_open) {
@@ -63,7 +64,7 @@ std::vector<CoveredMatch> MatchCovered(const PanopticFrame& frame, const std::ve
     below[i] = ThingsBelow(covered[i], segments[covered[i].segment], things, is_open);
   });
 
-  std::map<std::size_t, std::int64_t> points_on;  // of the whole frame, by thing
+  std::map<std::size_t, std::int64_t> points_on;  // over the whole frame, by thing
   for (const auto& of_segment : below) {
     for (const auto& [thing, shared] : of_segment) points_on.emplace(thing, 0);
   }

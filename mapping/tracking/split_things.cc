@@ -16,22 +16,22 @@
 namespace dhpmap {
 namespace {
 
-/// Of a thing that it takes for a segment to show it, or that share of the segment where that is fewer: what a mask
-/// bleeds onto a neighbour is no sight of it. The first as for the evidence of pairs.
+/// A segment shows a thing if this many of its points hit it, or this share of the segment if that is fewer. Fewer hits
+/// come from masks that bleed over a neighbour. The first value equals that in the evidence of pairs.
 constexpr std::int64_t kLeastPointsShown = 60, kLeastPercentShown = 5;
 
-/// A piece of a background's segment is a thing's if one in so many of its points lies on that: the others are sides
-/// that were not seen before. What else lies on things is less (above).
+/// A piece of a background's segment belongs to a thing if one in this many of its points hits the thing; the others
+/// are newly observed sides. Points of other objects on the thing are fewer (above).
 constexpr std::int64_t kLeastShareOfPiece = 5;
 
-/// Ids that last tell things apart themselves: against them only people have a say.
+/// Persistent ids separate things already; only a user's verdict overrides them.
 bool AreTwo(const ObjectPair& pair, bool has_persistent_ids) {
   return has_persistent_ids ? pair.verdict == PairVerdict::kMustBeTwo : pair.AreTwo();
 }
 
 bool IsOnGridOf(const Map& map, SubmapId id) { return IsOnMapGrid(map.Find(id)->info(), map.info().config); }
 
-/// What hits what, bundle by bundle and summed up.
+/// Hits of segments on things, by bundle and in total.
 struct FrameHits {
   FrameHits(const ThingsInView& things, const std::vector<SegmentBundles>& segments, ThreadPool& pool)
       : hit_by(segments.size()), of_segment(segments.size()), of_frame(things.list().size(), 0) {
@@ -54,7 +54,7 @@ struct FrameHits {
   std::vector<std::int64_t> of_frame;                 ///< by thing
 };
 
-/// Whether a segment is of the class of a background that somebody has split things from: null, or that background.
+/// The background of the segment's class if things were split from it by a user, else null.
 const Submap* SplitBackgroundOf(const PanopticFrame& frame, int row, const Map& map) {
   if (row < 0) return nullptr;
   const auto& class_id = frame.segments[static_cast<std::size_t>(row)].class_id;
@@ -70,13 +70,13 @@ const Submap* SplitBackgroundOf(const PanopticFrame& frame, int row, const Map& 
   return is_split ? background : nullptr;
 }
 
-/// Where the segment as a whole goes. Nothing: it is not to be cut.
+/// The submap of the segment as a whole. Nothing: do not cut it.
 std::optional<SubmapId> WholeOf(const PanopticFrame& frame, const SegmentBundles& segment, const ThingsInView& things,
                                 const std::vector<std::int64_t>& hits, const Map& map) {
   if (frame.has_persistent_ids) {
     const SegmentId id = frame.segments[static_cast<std::size_t>(segment.row)].id;
     const Submap* known = FindTrack(map, frame.session, id.value);
-    // What has a grid of its own takes the whole segment: see FuseFrame.
+    // A submap with its own grid takes the whole segment: see FuseFrame.
     return known != nullptr && IsOnGridOf(map, known->id()) ? std::optional(known->id()) : std::nullopt;
   }
   const auto most = std::max_element(hits.begin(), hits.end());
@@ -85,8 +85,8 @@ std::optional<SubmapId> WholeOf(const PanopticFrame& frame, const SegmentBundles
   return thing.is_on_map_grid ? std::optional(thing.submap->id()) : std::nullopt;
 }
 
-/// For each thing the number of the piece that lies on it; 0: it stays with the rest of the segment. A thing that most
-/// of its points in the frame belong to another segment is told apart by the frame itself.
+/// For each thing the number of its piece; 0: it stays with the rest of the segment. A thing with most of its points of
+/// this frame in another segment is separated by the frame itself, and gets no piece.
 std::vector<std::uint32_t> PiecesOf(SubmapId whole, bool has_persistent_ids, const ThingsInView& things,
                                     std::int64_t num_points, const std::vector<std::int64_t>& hits,
                                     const std::vector<std::int64_t>& of_frame, const Map& map,
@@ -114,15 +114,14 @@ std::vector<VoxelIndex> VoxelsOf(const SegmentBundles& segment) {
   return voxels;
 }
 
-/// The bundle of the segment that ends there; kNone: there is none.
+/// The bundle of the segment that ends in the voxel, or kNone.
 std::uint32_t BundleAt(const SegmentBundles& segment, VoxelIndex voxel) {
   const BundleCell* cell = segment.Find(BlockOf(voxel));
   const int linear = LinearIndex(voxel);
   return cell != nullptr && IsIn(cell->ends, linear) ? cell->BundleAt(linear) : ThingsInView::kNone;
 }
 
-/// Sides that were not seen before hit nothing: they are of the piece that they are next to on the segment's surface,
-/// if of any.
+/// Newly observed sides hit nothing. They join the piece next to them on the segment's surface, if there is one.
 void SpreadPieces(const SegmentBundles& segment, std::vector<std::uint32_t>& piece_of_bundle) {
   const std::vector<VoxelIndex> voxels = VoxelsOf(segment);
   std::vector<std::uint32_t> reached;
@@ -141,7 +140,7 @@ void SpreadPieces(const SegmentBundles& segment, std::vector<std::uint32_t>& pie
   }
 }
 
-/// What lies on the background itself is of the rest.
+/// Points on the background itself stay with the rest.
 void KeepBackground(const SegmentBundles& segment, const Submap& background,
                     std::vector<std::uint32_t>& piece_of_bundle) {
   for (const BundleCell& cell : segment.cells) {
@@ -154,8 +153,8 @@ void KeepBackground(const SegmentBundles& segment, const Submap& background,
   }
 }
 
-/// Pieces with points, the one with most of them first. `hit_by`: see ThingsInView::HitsOf; `background`: that the
-/// segment is of, or null.
+/// Pieces with points, the largest first. `hit_by`: see ThingsInView::HitsOf; `background`: that of the segment, or
+/// null.
 std::vector<SegmentBundles> CutSegment(const SegmentBundles& segment, const std::vector<std::uint32_t>& hit_by,
                                        const std::vector<std::uint32_t>& piece_of, std::uint32_t num_pieces,
                                        const Submap* background) {
@@ -187,7 +186,7 @@ bool IsOfThing(const PanopticFrame& frame, const SegmentBundles& segment, const 
   return label_class != nullptr && label_class->panoptic == Panoptic::kThing;
 }
 
-/// Whether frames may show as one two things that are in view.
+/// Whether frames may show two separate things in view as one.
 bool HasTwo(const ThingsInView& things, bool has_persistent_ids, const Map& map) {
   const auto is_in_view = [&](SubmapId id) {
     const Submap* submap = map.Find(id);
@@ -227,7 +226,7 @@ void CutSegmentsAtSplits(const PanopticFrame& frame, const Map& map, ThreadPool&
                           hits.of_frame, map, num_pieces);
     }
     const std::size_t most_added = (num_pieces - 1) * segments[s].cells.size();
-    if (num_pieces == 1 || num_cells + most_added > kMaxBlocksAFrame) {  // bounded as what the bundler makes
+    if (num_pieces == 1 || num_cells + most_added > kMaxBlocksAFrame) {  // the same limit as for the bundler
       result.push_back(std::move(segments[s]));
       continue;
     }
@@ -245,7 +244,7 @@ void HandToSplitParts(const PanopticFrame& frame, const std::vector<SegmentBundl
     for (end = begin + 1; is_of_row(end, segments[begin].row);) ++end;
     if (segments[begin].row < 0) continue;
     const bool is_of_background = SplitBackgroundOf(frame, segments[begin].row, map) != nullptr;
-    const bool is_whole = end == begin + 1;  // then what it lies on must be clear
+    const bool is_whole = end == begin + 1;  // then the thing below must be unambiguous
     const std::vector<Assignment> of_row(assignments.begin() + static_cast<std::ptrdiff_t>(begin),
                                          assignments.begin() + static_cast<std::ptrdiff_t>(end));
     for (std::size_t s = begin; s < end; ++s) {

@@ -9,22 +9,22 @@
 namespace dhpmap {
 namespace {
 
-/// A candidate that may have been observed in a cell.
+/// A candidate that may have observed voxels in a cell.
 struct NearCandidate {
   std::size_t column;
   const ThingInView* candidate;
-  const BlockEntry* entry;  ///< its block there; null if it has a grid of its own
-  bool may_return;          ///< what was looked through counts, too
+  const BlockEntry* entry;  ///< its block there; null if it has its own grid
+  bool may_return;          ///< voxels that were looked through count, too
 };
 
-/// How much has been observed at the voxel if its surface is near; 0 if not.
+/// The observed weight of a voxel near its surface; 0 elsewhere.
 float ObservedWeight(const BlockEntry& entry, int linear, bool may_return, float tolerance_m) {
   const bool counts = may_return ? entry.tsdf->IsObserved(linear) : entry.Shows(linear);
   const auto i = static_cast<std::size_t>(linear);
   return counts && std::abs(entry.tsdf->distance_m[i]) < tolerance_m ? entry.tsdf->weight[i] : 0.0f;
 }
 
-/// The same for a candidate with a pose or voxel size of its own: a bundle stands at its mean point.
+/// The same for a candidate with its own pose or voxel size: a bundle is represented by its mean point.
 float MovedWeight(const NearCandidate& near, const Eigen::Vector3d& p_map) {
   const Submap& submap = *near.candidate->submap;
   const VoxelIndex voxel = VoxelAt(near.candidate->T_submap_map * p_map, submap.info().voxel_size_m);
@@ -46,7 +46,7 @@ std::vector<ThingInView> FindCandidates(const PanopticFrame& frame, const Map& m
   return candidates;
 }
 
-/// Where something was and is no longer, a segment of its class may be it come back; anything else is not.
+/// A contradicted voxel counts only for a segment of the candidate's class, which may be the thing come back.
 void FindNear(std::span<const ThingInView> candidates, BlockIndex block, std::optional<ClassId> class_id,
               double voxel_size_m, std::vector<NearCandidate>& near) {
   const double side_m = kBlockSide * voxel_size_m;
@@ -64,7 +64,7 @@ void FindNear(std::span<const ThingInView> candidates, BlockIndex block, std::op
   }
 }
 
-/// How much of the candidate has been observed where the bundle ends, if its surface is near; 0 if not.
+/// The candidate's observed weight where the bundle ends, near its surface; else 0.
 float WeightAt(const Bundle& bundle, const NearCandidate& near, const Eigen::Vector3d& sensor_map) {
   if (near.entry == nullptr) {
     return MovedWeight(near, sensor_map + (bundle.weighted_sum_m / bundle.weight).cast<double>());

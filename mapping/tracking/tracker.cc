@@ -14,15 +14,15 @@
 namespace dhpmap {
 namespace {
 
-/// Of the largest part of its segment: a smaller one makes no object.
+/// Minimum share of the largest part of its segment: a smaller part creates no object.
 constexpr double kLeastShareOfPart = 0.1;
 
-/// Only other sessions know it by an id.
+/// Whether only other sessions have an id for it.
 bool IsTrackOfOthers(const SubmapInfo& info, const std::string& session) {
   return info.panoptic == Panoptic::kThing && info.sightings.HasTrack() && info.sightings.TrackOf(session) == 0;
 }
 
-/// Not of what is locked.
+/// Locked things do not change.
 void NoteTrack(const PanopticFrame& frame, const SegmentInfo& segment, SubmapId id, Map& map) {
   if (map.Find(id)->info().is_locked) return;
   map.FindMutable(id)->mutable_info().sightings.AddTrack(frame.session, segment.id.value);
@@ -35,7 +35,7 @@ bool HasLockedThing(const Map& map) {
                      [](const auto& submap) { return IsLockedThing(submap->info()); });
 }
 
-/// The locked thing that at least half of the segment's points lie on, whatever class the frame gives them.
+/// The locked thing that at least half of the segment's points hit, regardless of the frame's class.
 std::optional<SubmapId> LockedBelow(std::size_t s, std::int64_t num_points, const OverlapTable& overlaps,
                                     const Map& map) {
   for (std::size_t c = 0; c < overlaps.candidates.size(); ++c) {
@@ -45,7 +45,7 @@ std::optional<SubmapId> LockedBelow(std::size_t s, std::int64_t num_points, cons
   return std::nullopt;
 }
 
-/// What somebody has merged of several things.
+/// Things that users have merged from several.
 std::vector<SubmapId> MergedBySomebody(const MapInfo& map) {
   std::vector<SubmapId> merged;
   for (const ObjectPair& pair : map.pairs.pairs()) {
@@ -56,7 +56,7 @@ std::vector<SubmapId> MergedBySomebody(const MapInfo& map) {
   return merged;
 }
 
-/// What somebody has split from something, or kept apart from it.
+/// Things that users have split, or kept apart.
 std::vector<SubmapId> SplitBySomebody(const MapInfo& map) {
   std::vector<SubmapId> split;
   for (const ObjectPair& pair : map.pairs.pairs()) {
@@ -67,7 +67,7 @@ std::vector<SubmapId> SplitBySomebody(const MapInfo& map) {
 
 bool Has(const std::vector<SubmapId>& ids, SubmapId id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
-/// Whether the frame may show one of them. Some may be gone.
+/// Whether the frame may show one of them. Some may no longer exist.
 bool AnyMayBeInView(const std::vector<SubmapId>& ids, const PanopticFrame& frame, const Map& map) {
   const double max_range_m = map.info().config.integration.max_range_m;
   return std::any_of(ids.begin(), ids.end(), [&](SubmapId id) {
@@ -76,7 +76,7 @@ bool AnyMayBeInView(const std::vector<SubmapId>& ids, const PanopticFrame& frame
   });
 }
 
-/// Which segments lie on edited things that they were not matched with.
+/// Finds segments that lie on edited things without a match.
 class EditedBelow {
  public:
   EditedBelow(const PanopticFrame& frame, const Map& map) : merged_(MergedBySomebody(map.info())), map_(map) {
@@ -84,7 +84,7 @@ class EditedBelow {
   }
 
   [[nodiscard]] bool IsMerged(SubmapId id) const { return Has(merged_, id); }
-  /// Whether a segment of that class, most of whose points lie on the thing, shows the thing.
+  /// Whether a segment of this class, most of whose points hit the thing, belongs to the thing.
   [[nodiscard]] bool MayTake(SubmapId id, ClassId class_id, bool is_taken) const {
     const SubmapInfo& info = map_.Find(id)->info();
     if (!info.IsSeenAs(class_id)) return false;
@@ -92,7 +92,7 @@ class EditedBelow {
   }
 
  private:
-  /// Split off, and no front end has an id for it so far.
+  /// It was split off, and no session has an id for it yet.
   [[nodiscard]] bool IsUnknownPart(const SubmapInfo& info) const {
     return info.track_id == 0 && !info.sightings.HasTrack() && Has(split_, info.id);
   }
@@ -106,9 +106,9 @@ bool HasTracksOfOthers(const Map& map, const std::string& session) {
                      [&](const auto& submap) { return IsTrackOfOthers(submap->info(), session); });
 }
 
-/// What bleeds over the border of a mask onto what is behind it is a part of few points, or lies on a thing that is
-/// there already: it is no object of its own. If it is one after all, other frames will tell. Parts of a segment follow
-/// each other, the largest first.
+/// A mask that bleeds over its border onto the background gives a small part, or a part on an existing thing: it is not
+/// an object. If it is one after all, other frames will show it. Parts of a segment follow each other, the largest
+/// first.
 bool IsMaskBorder(const std::vector<SegmentBundles>& segments, std::size_t s, const OverlapTable& overlaps) {
   std::size_t first = s;
   while (first > 0 && segments[first - 1].row == segments[s].row) --first;
@@ -175,8 +175,8 @@ void Tracker::MatchThings(const std::vector<SegmentBundles>& segments, const std
     assignments[pair.segment] = {overlaps.candidates[pair.candidate], false, static_cast<float>(pair.iou)};
   }
 
-  // A part that lies on the object that another part of its segment joined belongs to that object, and so does what
-  // lies on what somebody has merged or split off.
+  // A part on the object that another part of its segment joined belongs to that object. So does a part on a thing that
+  // a user has merged or split off.
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (!is_open[s] || is_matched[s]) continue;
     const ClassId class_id = *frame.segments[static_cast<std::size_t>(segments[s].row)].class_id;
@@ -300,7 +300,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     if (classes[s] == nullptr || assignments[s].submap != kUnknownSubmap) continue;
     if (segments[s].num_points < MinPoints(*classes[s])) continue;
     const SegmentInfo& segment = frame.segments[static_cast<std::size_t>(segments[s].row)];
-    // Two segments of one background class in one frame share the submap that the first of them made.
+    // Two segments of one background class in a frame share the submap created by the first.
     if (classes[s]->panoptic == Panoptic::kStuff) {
       if (const Submap* stuff = FindStuff(map, classes[s]->id)) {
         assignments[s] = {stuff->id(), false, 0};
@@ -310,7 +310,7 @@ std::vector<Assignment> Tracker::Assign(const PanopticFrame& frame, const std::v
     if (is_open[s] && IsMaskBorder(segments, s, overlaps_)) continue;
     assignments[s] = {CreateSubmap(frame, segment, *classes[s], map), true, 0};
   }
-  if (frame.has_persistent_ids && !has_others && !has_locked) overlaps_ = {};  // such ids tell pairs apart themselves
+  if (frame.has_persistent_ids && !has_others && !has_locked) overlaps_ = {};  // persistent ids tell pairs apart
   return assignments;
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::int32_t kNoBeam = -1;
 
-/// Directions are sorted into cells of a cube around the unit sphere: no angles, no seams, no poles. Cells are wider
-/// than the widest gap, so what is within it lies in a cell or in one of those around.
+/// Directions are sorted into cells of a cube around the unit sphere, which needs no angles and has no seams or poles.
+/// Cells are wider than the widest gap, so everything within a gap is in a cell or its neighbours.
 constexpr int kCubeSide = 48;
 constexpr float kCellsPerUnit = kCubeSide / 2.0f;
 static_assert(1.0 / kCellsPerUnit > FrameSight::kMostBeamGap_rad);
@@ -34,7 +34,7 @@ bool MayBeInView(const PanopticFrame& frame, double max_range_m, const BoundingS
   if (!frame.camera) return true;
   if (p.z() < -sphere.radius_m) return false;
   const PinholeCamera& camera = frame.camera->camera;
-  // Inward normals of the four planes through the sensor and the borders of the image.
+  // Inward normals of the four planes through the sensor and the image borders.
   const Eigen::Vector3d borders[] = {
       {camera.fx_px, 0, camera.cx_px},
       {-camera.fx_px, 0, camera.width_px - camera.cx_px},
@@ -84,7 +84,7 @@ bool FrameSight::IsMetByBeam(const Eigen::Vector3d& p, double radius_m) {
   if (first_.empty()) SortBeams();
   const Eigen::Vector3f towards = (p / distance_m).cast<float>();
   const double widest_rad = distance_m > radius_m ? std::asin(radius_m / distance_m) : kMostBeamGap_rad;
-  // Squared chords of the unit sphere: cosines of so small angles have no digits left.
+  // Squared chords of the unit sphere, because cosines of small angles lose precision.
   float least2 = static_cast<float>(std::pow(2 * std::sin(0.5 * std::min(widest_rad, kMostBeamGap_rad)), 2));
   float range_m = -1;  // of the nearest beam
   const Eigen::Vector3i cell = DirectionCell(towards);
@@ -96,7 +96,7 @@ bool FrameSight::IsMetByBeam(const Eigen::Vector3d& p, double radius_m) {
       const float length_m = beam_m.norm();
       const float off2 = (beam_m / length_m - towards).squaredNorm();
       if (off2 > least2) continue;
-      // Of several returns of one beam the first: what it met did not hide the sphere from it.
+      // Of several returns of one beam, use the first: the surface there did not hide the sphere.
       range_m = off2 == least2 && range_m >= 0 ? std::min(range_m, length_m) : length_m;
       least2 = off2;
     }

@@ -12,9 +12,9 @@
 namespace dhpmap::auth {
 namespace {
 
-constexpr std::size_t kMostText = 128;  // of what a stranger may have written
+constexpr std::size_t kMostText = 128;  // of text from an unauthenticated client
 
-/// What a client named may be no UTF-8: what is none is replaced.
+/// Text from a client may be invalid UTF-8: invalid bytes are replaced.
 std::string LineOf(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -14,23 +14,23 @@
 
 namespace dhpmap::auth {
 
-/// What is written of one call.
+/// One call, as the audit log records it.
 struct AuditEntry {
-  const Principal* principal = nullptr;  ///< null: nobody that is known
+  const Principal* principal = nullptr;  ///< null: unknown caller
   std::string_view rpc;                  ///< "/dhpmap.v1.MapService/DeleteMap"
   std::string map;                       ///< as the request names it; may be empty
-  Status decision;                       ///< OK: let in
+  Status decision;                       ///< OK: admitted
 };
 
-/// Who was let in to what changes something, and who was refused what: a line of JSON each, with the time, the
-/// principal, the id of its key, the rpc, the map and the decision; never a key, never what a request holds. Of
-/// refusals of known principals ten a second are written, of others as many, and how many were left out is said in the
-/// next line. Thread-safe.
+/// Records admitted calls that change something, and refused calls. Each record is a line of JSON with time, principal,
+/// key id, rpc, map and decision; it never contains a key or the content of a request. At most kMostRefusals refusals a
+/// second are written for known principals, and as many for unknown callers. The next line states how many were left
+/// out. Thread-safe.
 class AuditLog {
  public:
   static constexpr int kMostRefusals = 10;
 
-  /// Made with mode 0600 if it is not there, and only ever written at its end. FAILED_PRECONDITION, reason
+  /// Opens the file for appending; creates it with mode 0600 if it is missing. FAILED_PRECONDITION, reason
   /// BAD_KEY_FILE, for a link, or a file that cannot be written.
   static Result<std::unique_ptr<AuditLog>> Open(const std::string& path, WallClock now_s);
   ~AuditLog();
@@ -39,8 +39,8 @@ class AuditLog {
 
   /// UNAVAILABLE, reason NOT_STORED, if the line could not be written.
   Status Write(const AuditEntry& entry) DHPMAP_EXCLUDES(mutex_);
-  /// Writes on in what the path leads to now: the old file has been renamed. No line is lost or goes to both. Errors as
-  /// of Open: then it writes on in the old one.
+  /// Opens the path again after the old file was renamed. Every line goes to exactly one of the files. Errors as of
+  /// Open: then it continues in the old file.
   Status Reopen() DHPMAP_EXCLUDES(mutex_);
 
  private:
@@ -53,7 +53,7 @@ class AuditLog {
   int file_ DHPMAP_GUARDED_BY(mutex_);
   bool ends_within_a_line_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::int64_t second_ DHPMAP_GUARDED_BY(mutex_) = 0;
-  int num_refusals_[2] DHPMAP_GUARDED_BY(mutex_) = {};  ///< in that second, of strangers and of known principals
+  int num_refusals_[2] DHPMAP_GUARDED_BY(mutex_) = {};  ///< in that second: of unknown callers, of known principals
   std::int64_t num_left_out_ DHPMAP_GUARDED_BY(mutex_) = 0;
 };
 

@@ -22,7 +22,7 @@ Status CallRates::Count(std::string_view principal) {
   bucket.left = std::min(limits_.burst_calls, bucket.left + limits_.calls_per_s * (now_s - bucket.filled_s));
   bucket.filled_s = now_s;
   if (bucket.left < 1) {
-    std::string text = "'";  // in steps: GCC 12 warns of "'" + std::string(...) for no reason
+    std::string text = "'";  // in steps: GCC 12 warns wrongly about "'" + std::string(...)
     text.append(principal).append("' calls more often than one may: try again later");
     return ResourceExhausted(std::move(text)).WithReason("OUT_OF_QUOTA").WithMetadata("retry_after_s", "1");
   }

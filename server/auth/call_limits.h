@@ -12,28 +12,28 @@
 
 namespace dhpmap::auth {
 
-/// s that pass, whatever the system's clock is set to. Passed in, so that tests say how many.
+/// Monotonic time in s, independent of the system's clock. Injected, so that tests control it.
 using PassingTime = std::function<double()>;
 PassingTime SystemPassingTime();
 
-/// What one principal may have, over all its keys.
+/// Limits of one principal, over all its keys.
 struct CallLimits {
   double calls_per_s = 2000;
   double burst_calls = 4000;
   int streams = 64;
   int feeds = 4;                                     ///< of the streams
-  int maps = 100;                                    ///< that it has made
-  std::int64_t disk_bytes = std::int64_t{64} << 30;  ///< of these maps, as they are stored
-  double inflight_fraction = 0.5;                    ///< of the bytes that all may have in flight
+  int maps = 100;                                    ///< that it has created
+  std::int64_t disk_bytes = std::int64_t{64} << 30;  ///< of these maps, as stored
+  double inflight_fraction = 0.5;                    ///< of the bytes that all principals together may have in flight
 };
 
-/// How fast each principal calls: a bucket that fills with time. Thread-safe. Holds a bucket for each principal there
-/// has been, so as many as there are keys.
+/// Limits the call rate of each principal by a token bucket. Thread-safe. Holds a bucket for each principal that has
+/// called, so at most one per key.
 class CallRates {
  public:
   CallRates(const CallLimits& limits, PassingTime now_s) : limits_(limits), now_s_(std::move(now_s)) {}
 
-  /// One call more. RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if it comes too fast.
+  /// Counts one call. RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if the principal exceeds its rate.
   Status Count(std::string_view principal) DHPMAP_EXCLUDES(mutex_);
 
  private:

@@ -25,7 +25,7 @@ using google::protobuf::FileDescriptor;
 using google::protobuf::MethodDescriptor;
 using google::protobuf::ServiceDescriptor;
 
-/// A request has a map, and a message that has a name: deeper than that nothing means anything.
+/// A request has a map, and a message that has a name: deeper fields have no meaning for access control.
 constexpr std::size_t kDeepest = 2;
 
 void AddFields(const Descriptor& message, const FieldPath& way, CallNeeds& needs) {
@@ -48,7 +48,7 @@ bool IsOfType(const FieldDescriptor& field, Meaning meaning) {
   return !field.is_repeated() && field.type() == (is_flag ? FieldDescriptor::TYPE_BOOL : FieldDescriptor::TYPE_STRING);
 }
 
-/// One field that names the map; or several, each in its own branch of a oneof, so that one at most is set.
+/// Whether exactly one field names the map, or several in branches of a oneof, so that at most one is set.
 bool NamesOneMap(const CallNeeds& needs) {
   std::vector<const FieldPath*> paths;
   for (const auto& [meaning, path] : needs.fields) {
@@ -60,7 +60,7 @@ bool NamesOneMap(const CallNeeds& needs) {
                                            [&](const FieldPath* path) { return branch(path) == branch(paths[0]); }));
 }
 
-/// What is wrong with what an rpc says; empty: nothing.
+/// Checks the options of one rpc; returns what is wrong, or "".
 std::string FaultOf(const CallNeeds& needs) {
   if (needs.need == v1::Access::NEED_UNSPECIFIED) return "does not say what it needs";
   for (const auto& [meaning, path] : needs.fields) {
@@ -79,7 +79,7 @@ CallNeeds NeedsOf(const MethodDescriptor& method) {
   return needs;
 }
 
-/// gRPC's own, whose protos are not ours to write in.
+/// The rpcs of gRPC itself: we cannot annotate their protos.
 std::vector<std::pair<std::string, CallNeeds>> OfGrpc() {
   const CallNeeds read{.need = v1::Access::READ, .maps = v1::Access::NONE, .is_stream = true};
   return {{"/grpc.reflection.v1.ServerReflection/ServerReflectionInfo", read},
@@ -88,7 +88,7 @@ std::vector<std::pair<std::string, CallNeeds>> OfGrpc() {
           {"/grpc.health.v1.Health/Check", {.need = v1::Access::READ, .maps = v1::Access::NONE, .is_public = true}}};
 }
 
-/// That the linker keeps every service, and that all of a package are found: a file that is not here would not be.
+/// References every service, so that the linker keeps it. A file that is missing here would not be found.
 std::array<const FileDescriptor*, 8> Files() {
   return {v1::GetServerStatusRequest::descriptor()->file(), v1::WhoAmIRequest::descriptor()->file(),
           v1::ApplyEditsRequest::descriptor()->file(),      v1::GetMapRequest::descriptor()->file(),

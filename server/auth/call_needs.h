@@ -20,31 +20,31 @@ namespace dhpmap::auth {
 using Need = v1::Access::Need;
 using Meaning = v1::Access::Meaning;
 
-/// From a request to one of its fields: all but the last are messages.
+/// Path from a request to one of its fields: all but the last are messages.
 using FieldPath = std::vector<const google::protobuf::FieldDescriptor*>;
 
-/// What one rpc needs, as its options in proto/ say (permission.proto).
+/// What one rpc requires, as the options in its proto say (permission.proto).
 struct CallNeeds {
   Need need = v1::Access::NEED_UNSPECIFIED;
   v1::Access::Maps maps = v1::Access::MAPS_UNSPECIFIED;
-  bool is_public = false;     ///< of gRPC's health: asked without a key
+  bool is_public = false;     ///< gRPC's health check: called without a key
   bool can_only_try = false;  ///< the request has a field that means VALIDATE_ONLY
   bool is_stream = false;
   bool comes_in_messages = false;  ///< the client streams
-  /// Fields that mean something, by meaning. Of MAP there may be several in branches of a oneof.
+  /// Fields with a meaning for access control. MAP may occur several times, in branches of a oneof.
   std::vector<std::pair<Meaning, FieldPath>> fields = {};
 };
 
-/// What every rpc needs. Immutable, so thread-safe.
+/// The requirements of every rpc. Immutable, so thread-safe.
 class CallTable {
  public:
-  /// Of these services, and of gRPC's own: reflection needs READ, health's Check nothing. FAILED_PRECONDITION naming
-  /// every rpc that does not say what it needs, or which maps.
+  /// Reads the options of these services; adds gRPC's own: reflection needs READ, health's Check nothing.
+  /// FAILED_PRECONDITION, naming every rpc that does not declare its need or its maps.
   static Result<CallTable> Make(const std::vector<const google::protobuf::ServiceDescriptor*>& services);
-  /// Of all services of dhpmap.v1 that are linked.
+  /// The same for all linked services of dhpmap.v1.
   static Result<CallTable> OfLinkedServices();
 
-  /// By "/dhpmap.v1.MapService/GetMap"; null if there is no such rpc.
+  /// Finds a method by "/dhpmap.v1.MapService/GetMap"; null if there is no such rpc.
   [[nodiscard]] const CallNeeds* Find(std::string_view path) const;
   [[nodiscard]] const std::map<std::string, CallNeeds, std::less<>>& calls() const { return calls_; }
 

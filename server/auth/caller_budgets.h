@@ -12,13 +12,13 @@
 
 namespace dhpmap::auth {
 
-/// What each principal may have of a budget for all, so that nobody has all of it. Holds one for each principal there
-/// has been, so as many as there are keys. Thread-safe.
+/// Gives each principal a budget within a shared one, so that no principal can use all of it. Holds one for each
+/// principal that has called, so at most one per key. Thread-safe.
 class CallerBudgets {
  public:
   explicit CallerBudgets(double fraction) : fraction_(fraction) {}
 
-  /// The same for the same name and budget. What is taken of it is taken of `all`, too.
+  /// Returns the same budget for the same name and `all`. Bytes taken from it are taken from `all`, too.
   std::shared_ptr<ByteBudget> Of(const std::string& principal, const std::shared_ptr<ByteBudget>& all)
       DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);

@@ -33,7 +33,7 @@ Status FailedLogins::Count(std::string_view address) {
 
 void FailedLogins::MakeRoom(double now_s) {
   std::erase_if(buckets_, [now_s](const auto& entry) { return LeftAt(now_s, entry.second) >= kMost; });
-  // So many at once are one stranger's, whom we do not know by his addresses anyway.
+  // So many addresses at once belong to one attacker, whom a limit by address does not stop anyway.
   if (buckets_.size() >= kMostAddresses) buckets_.clear();
 }
 

@@ -22,8 +22,8 @@ class FailedLogins {
 
   explicit FailedLogins(PassingTime now_s) : now_s_(std::move(now_s)) {}
 
-  /// One wrong key more from there. RESOURCE_EXHAUSTED, reason TOO_MANY_LOGINS, if there were too many before it; the
-  /// metadata say after how many s (`retry_after_s`) the next is answered.
+  /// Counts one wrong key from this address. RESOURCE_EXHAUSTED, reason TOO_MANY_LOGINS, if there were too many before;
+  /// the metadata `retry_after_s` say when to try again.
   Status Count(std::string_view address) DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::size_t num_addresses() const DHPMAP_EXCLUDES(mutex_);
 

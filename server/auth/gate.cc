@@ -13,7 +13,7 @@ Status NoCredential() {
       .WithReason("NO_CREDENTIAL");
 }
 
-/// The key in "Bearer dhp_...", the scheme in any case; empty if it is of another scheme.
+/// The key in "Bearer dhp_...", the scheme in any case; empty for another scheme.
 std::string_view KeyIn(std::string_view authorization) {
   constexpr std::string_view kScheme = "bearer ";
   if (authorization.size() < kScheme.size()) return {};
@@ -75,7 +75,7 @@ Result<PrincipalPtr> Gate::Authenticate(const std::vector<std::string_view>& aut
 Result<PrincipalPtr> Gate::AuthenticateFrom(std::string_view address,
                                             const std::vector<std::string_view>& authorizations) {
   auto principal = Authenticate(authorizations);
-  // Of the others, who shows no key guesses none, and who shows an old one has had it.
+  // Only a wrong key is a guess: a call without a key guesses nothing, and a revoked or expired key was right once.
   if (!address.empty() && principal.status().reason() == Reason("BAD_CREDENTIAL")) {
     DHPMAP_RETURN_IF_ERROR(failed_logins_.Count(address));
   }
@@ -124,7 +124,7 @@ void Gate::Look() {
 Status Gate::Load() {
   auto content = ReadKeyFile(options_.key_file);
   const MutexLock lock(mutex_);
-  state_ = content.ok() ? content->state : FileState{};  // what cannot be read now is read again at the next look
+  state_ = content.ok() ? content->state : FileState{};  // a file that cannot be read is tried again at the next look
   if (!content.ok()) return content.status();
   ring_ = std::make_shared<const KeyRing>(content->records);
   fault_.clear();

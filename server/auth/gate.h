@@ -27,78 +27,78 @@ namespace dhpmap::auth {
 
 struct GateOptions {
   std::string key_file;
-  std::string audit_file;          ///< empty: none is written
-  bool is_audit_required = false;  ///< what cannot be written down is not done
-  std::string owners_file;         ///< see MapOwners; empty: they are forgotten with the process
+  std::string audit_file;          ///< empty: no audit log
+  bool is_audit_required = false;  ///< a change that cannot be recorded is refused
+  std::string owners_file;         ///< see MapOwners; empty: not stored
   CallLimits limits;
-  /// s between looks at the file and at what has expired; 0: only when Look is called.
+  /// Period in s of checking the key file and expired keys; 0: only when Look is called.
   double look_s = 0.25;
   WallClock now_s = SystemWallClock();
   PassingTime passing_s = SystemPassingTime();
   Randomness randomness = SystemRandomness();
-  /// Told why the file cannot be used as it is now; what it had before goes on. For the log.
+  /// Called with the reason when a file cannot be used; the last good content stays in force. For the log.
   std::function<void(const Status&)> on_fault;
 };
 
-/// What both doors ask who calls, and whether they may. Thread-safe; outlives the doors.
+/// Authenticates and authorizes the calls of both doors. Thread-safe; outlives the doors.
 class Gate {
  public:
-  /// Without keys: whoever asks is the principal "local", an admin, and everything goes on unchecked.
+  /// Without keys: every caller is the principal "local", an admin, and nothing is checked.
   static std::shared_ptr<Gate> Open();
-  /// Errors as of ReadKeyFile. A file without keys is one: then nobody comes in.
+  /// Errors as in ReadKeyFile. A file without keys is valid: then nobody is admitted.
   static Result<std::shared_ptr<Gate>> WithKeys(GateOptions options);
   ~Gate();
   Gate(const Gate&) = delete;
   Gate& operator=(const Gate&) = delete;
 
   [[nodiscard]] bool has_keys() const { return has_keys_; }
-  /// Not OK: an rpc does not say who may call it, and nothing must be served.
+  /// Not OK: an rpc does not declare who may call it, and the server must not serve.
   [[nodiscard]] Status CheckCalls() const { return calls_.ok() ? Status::Ok() : calls_.status(); }
-  /// Needs CheckCalls to be OK. Null for an rpc that there is not.
+  /// Requires CheckCalls to be OK. Null for an unknown rpc.
   [[nodiscard]] const CallNeeds* NeedsOf(std::string_view path) const { return calls_->Find(path); }
 
-  /// Whose key that is: "Bearer dhp_...", as in the header or metadata `authorization`, all values of it together.
-  /// UNAUTHENTICATED, reason NO_CREDENTIAL, if there is none, and as of KeyRing::Find; INVALID_ARGUMENT, reason
-  /// AMBIGUOUS_CREDENTIAL, if there are several. Without keys everybody is "local".
+  /// The principal of a key: "Bearer dhp_...", as in the header or metadata `authorization`. `authorizations` are all
+  /// values of it. UNAUTHENTICATED, reason NO_CREDENTIAL, without a key, or as in KeyRing::Find; INVALID_ARGUMENT,
+  /// reason AMBIGUOUS_CREDENTIAL, for several. Without keys every caller is "local".
   [[nodiscard]] Result<PrincipalPtr> Authenticate(const std::vector<std::string_view>& authorizations) const;
-  /// The same of a caller at `address` (net::PeerKey; empty: none is known). Of wrong keys from one that has shown too
-  /// many, as of FailedLogins::Count in place of BAD_CREDENTIAL; a good one is let in all the same.
+  /// The same for a caller at `address` (net::PeerKey; empty: unknown). An address with too many wrong keys gets the
+  /// error of FailedLogins::Count in place of BAD_CREDENTIAL; a valid key is admitted all the same.
   [[nodiscard]] Result<PrincipalPtr> AuthenticateFrom(std::string_view address,
                                                       const std::vector<std::string_view>& authorizations);
   [[nodiscard]] Result<PrincipalPtr> AuthenticateKey(std::string_view key_text) const;
-  /// Whether who was let in before is still.
+  /// Whether a principal that was admitted before still has a valid key.
   [[nodiscard]] Status CheckStill(const Principal& principal) const;
 
-  /// Logs a browser in: the word of its session. It ends with its key.
+  /// Begins a browser's login session and returns its token. The session ends with the key.
   std::string LogIn(PrincipalPtr principal) { return logins_.Begin(std::move(principal), options_.now_s()); }
-  /// Whose session that is. UNAUTHENTICATED, reason BAD_CREDENTIAL, if it is none, and as of CheckStill.
+  /// The principal of a login session. UNAUTHENTICATED, reason BAD_CREDENTIAL, for an unknown token, or as of
+  /// CheckStill.
   [[nodiscard]] Result<PrincipalPtr> AuthenticateLogin(std::string_view word);
   void LogOut(std::string_view word) { logins_.End(word); }
 
-  /// Who asks may begin one call more. RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA.
+  /// Counts one call of the principal. RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA.
   Status Count(const Principal& principal) { return has_keys_ ? rates_.Count(principal.name) : Status::Ok(); }
 
-  /// What the principal may have in flight of `all`, which counts there, too; without keys `all` itself. Lives as long
-  /// as the gate.
+  /// The principal's budget of bytes in flight, within `all`; without keys `all` itself. Lives as long as the gate.
   std::shared_ptr<ByteBudget> BudgetOf(const Principal& principal, const std::shared_ptr<ByteBudget>& all) {
     return has_keys_ ? budgets_.Of(principal.name, all) : all;
   }
   [[nodiscard]] const CallLimits& limits() const { return options_.limits; }
-  /// Who has made which map; null without keys.
+  /// Records which principal created which map; null without keys.
   [[nodiscard]] MapOwners* owners() { return owners_.get(); }
 
   [[nodiscard]] Tickets& tickets() { return tickets_; }
   [[nodiscard]] LiveStreams& streams() { return streams_; }
 
-  /// Writes down what was decided of a call that changes something, or of any that was refused. What cannot be written
-  /// is told as a fault, and goes on; where it is required, as of AuditLog::Write, and a call that was let in is
-  /// refused by that.
+  /// Records the decision on a call that changes something, or on any refused call. A failed write is reported to
+  /// on_fault and ignored, unless the audit log is required: then an admitted call gets the error of AuditLog::Write
+  /// and is refused.
   Status Audit(const AuditEntry& entry) DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] bool has_audit() const { return audit_ != nullptr; }
-  /// See AuditLog::Reopen; OK where there is none.
+  /// See AuditLog::Reopen; OK without an audit log.
   Status ReopenAudit() { return audit_ != nullptr ? audit_->Reopen() : Status::Ok(); }
 
-  /// Reads the file again if it has changed, and ends the streams of keys that are good no longer.
+  /// Reads the key file again if it has changed, and ends the streams of keys that are no longer valid.
   void Look() DHPMAP_EXCLUDES(mutex_);
 
  private:
@@ -125,8 +125,8 @@ class Gate {
   CondVar changed_;
   bool is_ending_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::shared_ptr<const KeyRing> ring_ DHPMAP_GUARDED_BY(mutex_);
-  FileState state_ DHPMAP_GUARDED_BY(mutex_);    ///< of the file as it was read; none: it could not be
-  std::string fault_ DHPMAP_GUARDED_BY(mutex_);  ///< told last; empty: none since
+  FileState state_ DHPMAP_GUARDED_BY(mutex_);    ///< of the file when it was read; empty: it could not be read
+  std::string fault_ DHPMAP_GUARDED_BY(mutex_);  ///< the last one reported; empty: none since
   std::thread looker_;
 };
 

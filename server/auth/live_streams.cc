@@ -32,7 +32,7 @@ void LiveStreams::EndUnless(const std::function<Status(const Principal&)>& check
       if (Status status = check(*stream.principal); !status.ok()) ending.emplace_back(stream.end, std::move(status));
     }
   }
-  for (const auto& [end, why] : ending) (*end)(why);  // without the lock: a stream that ends gives its place back
+  for (const auto& [end, why] : ending) (*end)(why);  // without the lock: a stream that ends removes itself here
 }
 
 std::size_t LiveStreams::size() const {
@@ -41,7 +41,7 @@ std::size_t LiveStreams::size() const {
 }
 
 void LiveStreams::Remove(std::uint64_t number) {
-  std::shared_ptr<const End> end;  // goes after the lock
+  std::shared_ptr<const End> end;  // destroyed after the lock is released
   const MutexLock lock(mutex_);
   const auto found = streams_.find(number);
   if (found == streams_.end()) return;

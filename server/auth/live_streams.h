@@ -14,14 +14,14 @@
 
 namespace dhpmap::auth {
 
-/// The streams that are open, and whose: so that they end with their key, and nobody has too many. Thread-safe.
+/// The open streams of each principal: limits their number, and ends them when a key ends. Thread-safe.
 class LiveStreams {
  public:
-  /// Ends a stream with a status; called at most once at a time, from any thread, maybe when the stream has ended
-  /// already. Must not throw.
+  /// Ends a stream with a status. Called from any thread, never twice at the same time, possibly after the stream has
+  /// ended. Must not throw.
   using End = std::function<void(const Status&)>;
 
-  /// A stream's place, which it gives back by its end. The streams outlive it.
+  /// Registers one stream until destruction. LiveStreams must outlive it.
   class Place {
    public:
     Place(LiveStreams& streams, std::uint64_t number) : streams_(streams), number_(number) {}
@@ -36,10 +36,10 @@ class LiveStreams {
 
   explicit LiveStreams(const CallLimits& limits) : limits_(limits) {}
 
-  /// RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if the principal has as many as it may.
+  /// RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if the principal has reached its limit.
   Result<std::unique_ptr<Place>> Add(PrincipalPtr principal, bool is_feed, End end) DHPMAP_EXCLUDES(mutex_);
 
-  /// Ends every stream of whose principal `check` says an error, with that error.
+  /// Ends each stream for whose principal `check` returns an error, with that error.
   void EndUnless(const std::function<Status(const Principal&)>& check) DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] std::size_t size() const DHPMAP_EXCLUDES(mutex_);

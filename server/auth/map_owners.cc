@@ -17,7 +17,7 @@
 namespace dhpmap::auth {
 namespace {
 
-/// A line begins with a newline: what was cut off before it spoils none but itself.
+/// A line begins with a newline, so that a truncated line damages only itself.
 std::string LineOf(std::uint64_t history_id, const std::string& principal) {
   nlohmann::ordered_json json;
   json["map"] = std::to_string(history_id);
@@ -40,7 +40,7 @@ void ReadLine(const std::string& line, std::map<std::uint64_t, std::string>& own
 
 std::map<std::uint64_t, std::string> ReadAll(int file) {
   struct stat status {};
-  if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return {};  // a device may never end
+  if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return {};  // reading a device may never end
   std::string text;
   std::array<char, 65'536> part;
   for (ssize_t got = 0; (got = read(file, part.data(), part.size())) > 0;) {
@@ -57,7 +57,7 @@ std::map<std::uint64_t, std::string> ReadAll(int file) {
 
 Status CannotBeWritten() { return Unavailable("the file of maps' owners cannot be written").WithReason("NOT_STORED"); }
 
-/// A killed process has written it, a power cut may take it: it costs a count, no map.
+/// Not synced: the entry survives a killed process, not a power cut. That costs one count and no map.
 Status Append(int file, const std::string& text) {
   const bool is_written = write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   return is_written ? Status::Ok() : CannotBeWritten();

@@ -21,7 +21,7 @@ bool Has(Role role, Need need) {
     case v1::Access::FEED:
     case v1::Access::CREATE: return role == Role::kRobot || role == Role::kAdmin;
     case v1::Access::OPERATE: return role == Role::kAdmin;
-    default: return false;  // what is not named is denied
+    default: return false;  // deny by default
   }
 }
 
@@ -32,7 +32,7 @@ Status RoleDenied(const Principal& principal, Need need) {
   return Denied(std::move(message)).WithReason("ROLE_NOT_ALLOWED");
 }
 
-/// The message that has the last field of the path; null where one between is not set.
+/// The message that contains the last field of the path; null if a message on the way is not set.
 Message* HolderOf(const FieldPath& path, Message& request) {
   Message* holder = &request;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -42,9 +42,9 @@ Message* HolderOf(const FieldPath& path, Message& request) {
   return holder;
 }
 
-/// What the fields of one message say.
+/// The values of one message's fields that matter for access control.
 struct Said {
-  std::string map;  ///< its id; of a name that is none: empty, which "*" alone permits
+  std::string map;  ///< its id; empty for a malformed name, which only "*" permits
   bool names_map = false;
   std::string session;
   bool has_session = false;
@@ -88,7 +88,7 @@ Said Read(const CallNeeds& needs, Message& request) {
   return said;
 }
 
-/// Who names no session feeds alone. That anybody with FEED may; but not end it, or take its place: it is nobody's.
+/// A feed without a session belongs to nobody. Anybody with FEED may start one, but not end it or take it over.
 Status CheckSession(const Principal& principal, const CallNeeds& needs, const Said& said) {
   const bool joins_as_nobody = said.session.empty() && !said.takes_over && needs.is_stream;
   if (joins_as_nobody || principal.sessions.Match(said.session)) return Status::Ok();
@@ -104,7 +104,7 @@ Status CheckAuthor(const Principal& principal, const Said& said) {
     reflection.SetString(said.author_holder, said.author, principal.name);
     return Status::Ok();
   }
-  // An admin repeats what others have done (`dhpmap replay`).
+  // An admin may repeat the edits of others (`dhpmap replay`).
   if (principal.role == Role::kAdmin || IsOwnName(principal.name, author)) return Status::Ok();
   return Denied("the author must be '" + principal.name + "', or begin with '" + principal.name + "/'")
       .WithReason("NOT_YOUR_NAME");

@@ -12,25 +12,25 @@
 
 namespace dhpmap::auth {
 
-// Who may do what: pure functions of a principal and a call, asked before anything is looked up, so that no answer
-// tells a stranger what there is. PERMISSION_DENIED for all that is not allowed.
+// Authorization: pure functions of a principal and a call. They run before any lookup, so no answer reveals what
+// exists. PERMISSION_DENIED for everything that is not allowed.
 
-/// Whether a role has what a call needs. Of calls that can only try, whether it might: see CheckRequest.
+/// Whether a role allows a call. For calls that may be validate-only, whether it might: see CheckRequest.
 bool RoleHas(Role role, const CallNeeds& needs);
-/// Before the request is read; reason ROLE_NOT_ALLOWED.
+/// Before the request is read. Reason ROLE_NOT_ALLOWED.
 Status CheckRole(const Principal& principal, const CallNeeds& needs);
 
-/// Of a map, by its id; reason MAP_NOT_ALLOWED, in the same words whether there is such a map or not.
+/// Checks access to a map by its id. Reason MAP_NOT_ALLOWED, with the same message whether or not the map exists.
 Status CheckMap(const Principal& principal, std::string_view map_id);
 
-/// Of one message of a call: its role again, now that it is known whether it only tries; the map that it names, if it
-/// does; its session (NOT_YOUR_SESSION), and its author (NOT_YOUR_NAME), who is filled in where it is left empty.
+/// Checks one message of a call: the role again, now that validate_only is known; the map, if it names one; the session
+/// (NOT_YOUR_SESSION); the author (NOT_YOUR_NAME). Fills in an empty author.
 Status CheckRequest(const Principal& principal, const CallNeeds& needs, google::protobuf::Message& request);
 
-/// The map that a request names; empty: none.
+/// The map that a request names; empty if it names none.
 std::string MapNamed(const CallNeeds& needs, const google::protobuf::Message& request);
 
-/// Whether an edit of that author is the principal's own: its name, or its name with "/..." behind it.
+/// Whether the author is the principal itself: its name, alone or followed by "/...".
 bool IsOwnName(std::string_view principal, std::string_view author);
 
 }  // namespace dhpmap::auth

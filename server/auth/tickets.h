@@ -12,15 +12,15 @@
 
 namespace dhpmap::auth {
 
-/// Metadata by which the REST door says for whom it calls, in place of `authorization`: gRPC asks no processor of calls
-/// inside the process. From outside it is refused.
+/// Metadata that names the ticket of a REST call, in place of `authorization`: gRPC runs no auth processor for
+/// in-process calls. Refused in calls from outside.
 inline constexpr char kTicketKey[] = "dhpmap-ticket";
 
-/// Names of calls that the REST door makes for somebody: random, good once, and no longer than the call. Thread-safe.
-/// Outlives its tickets.
+/// One-time random tickets for calls that the REST door makes for a principal. A ticket ends with its call.
+/// Thread-safe. Outlives its tickets.
 class Tickets {
  public:
-  /// Good while it lives, or until it is taken.
+  /// Valid until it is destroyed or taken.
   class Ticket {
    public:
     Ticket(Tickets& tickets, std::string text) : tickets_(tickets), text_(std::move(text)) {}
@@ -37,7 +37,7 @@ class Tickets {
   explicit Tickets(Randomness randomness) : randomness_(std::move(randomness)) {}
 
   std::shared_ptr<Ticket> Issue(PrincipalPtr principal) DHPMAP_EXCLUDES(mutex_);
-  /// For whom it was issued; null if it was not, or has been taken.
+  /// The principal of a ticket; null if it is unknown or already taken.
   PrincipalPtr Take(std::string_view text) DHPMAP_EXCLUDES(mutex_);
 
  private:

@@ -11,21 +11,21 @@
 
 namespace dhpmap {
 
-/// RESOURCE_EXHAUSTED: in-flight requests, frames and answers have used the budget.
+/// RESOURCE_EXHAUSTED: requests, frames and answers in flight have used the budget.
 inline Status TooManyBytes() {
   return ResourceExhausted("too many bytes of requests and answers are in flight: try again later")
       .WithReason("TOO_MANY_BYTES");
 }
 
-/// A limit of bytes in memory for one purpose, over all holders. Thread-safe.
+/// A memory limit in bytes for one purpose, over all holders. Thread-safe.
 class ByteBudget {
  public:
-  /// Shares of up to `free_bytes` are free of charge, so that small requests pass even when the budget is spent.
-  /// What is taken of this is taken of `within`, too, unless it is null.
+  /// Shares of up to `free_bytes` are free, so that small requests pass even when the budget is spent. Bytes taken from
+  /// this budget are also taken from `within`, unless it is null.
   explicit ByteBudget(std::size_t limit_bytes, std::size_t free_bytes = 0, std::shared_ptr<ByteBudget> within = nullptr)
       : limit_bytes_(limit_bytes), free_bytes_(free_bytes), within_(std::move(within)) {}
 
-  /// Takes nothing and returns false if that would exceed a limit.
+  /// False, without effect, if that would exceed a limit.
   bool TryTake(std::size_t bytes) {
     std::size_t used = used_bytes_.load();
     do {
@@ -47,7 +47,7 @@ class ByteBudget {
  private:
   const std::size_t limit_bytes_, free_bytes_;
   const std::shared_ptr<ByteBudget> within_;
-  std::atomic<std::size_t> used_bytes_{0};  // never above the limit
+  std::atomic<std::size_t> used_bytes_{0};  // at most the limit
 };
 
 /// The share of one request, answer or frame; its destructor returns it. Thread-compatible.
@@ -63,7 +63,7 @@ class ByteShare {
   ByteShare& operator=(const ByteShare&) = delete;
   ByteShare& operator=(ByteShare&&) = delete;
 
-  /// Takes more or returns some. False, without change, if too little is left.
+  /// Takes more or returns some. False, without change, if the budget does not suffice.
   [[nodiscard]] bool Resize(std::size_t bytes) {
     const std::size_t before = Cost(bytes_), after = Cost(bytes);
     if (after > before && !budget_->TryTake(after - before)) return false;

@@ -11,7 +11,7 @@
 
 namespace dhpmap {
 bool LaneTask::GiveUp() {
-  return Take() != nullptr;  // what it held is freed here, outside of the lock
+  return Take() != nullptr;  // its captures are freed here, without the lock
 }
 
 bool LaneTask::IsGivenUp() const {
@@ -48,7 +48,7 @@ bool Lane::TryPost(std::shared_ptr<LaneTask> task) {
   const MutexLock lock(mutex_);
   if (!HasRoom()) return false;
   tasks_.push_back(std::move(task));
-  wake_.NotifyOne();  // with the lock: once it is free, the task may run and its end destroy the lane
+  wake_.NotifyOne();  // under the lock: after it is released, the task may run and destroy the lane
   return true;
 }
 
@@ -87,7 +87,7 @@ void Lane::Post(std::shared_ptr<LaneTask> task) {
   wake_.NotifyOne();
 }
 
-/// Items that several threads take one by one. Who comes after the last has been taken touches no body.
+/// Items that several threads take one by one. A thread that comes after the last item touches no body.
 class Lane::Shared {
  public:
   Shared(std::size_t count, const std::function<void(std::size_t)>& body) : count_(count), body_(body) {}
@@ -112,7 +112,7 @@ class Lane::Shared {
       if (--num_running_ == 0) ended_.NotifyAll();
     }
   }
-  /// For items that others have taken.
+  /// Waits for items that other threads have taken.
   void Wait() DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     ended_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return num_running_ == 0; });
@@ -121,7 +121,7 @@ class Lane::Shared {
 
  private:
   const std::size_t count_;
-  const std::function<void(std::size_t)>& body_;  ///< there as long as an item is not taken, or runs
+  const std::function<void(std::size_t)>& body_;  ///< valid until the last item has been taken and has ended
   Mutex mutex_;
   CondVar ended_;
   std::size_t next_ DHPMAP_GUARDED_BY(mutex_) = 0;
@@ -135,13 +135,13 @@ void Lane::Share(std::size_t count, const std::function<void(std::size_t)>& body
   try {
     for (std::size_t i = 1; i < num_helpers; ++i) Post([shared] { shared->TakeAll(); });
   } catch (const std::bad_alloc&) {
-    // Those who were asked may be at it: nobody leaves before they have ended.
+    // Helpers that were posted may be running: wait for them below.
   }
   shared->TakeAll();
   shared->Wait();
 }
 
-/// An exception that left the thread would end the process.
+/// Catches exceptions: one that leaves the thread would end the process.
 void Lane::Run(LaneTask& task) const {
   const auto work = task.Take();
   if (!work) return;
@@ -158,7 +158,7 @@ void Lane::TellException(const char* what) const noexcept {
   try {
     if (options_.on_exception) return options_.on_exception(what);
   } catch (...) {
-    // It may have had no memory for it; the line below needs none.
+    // on_exception may have run out of memory; the line below needs none.
   }
   (void)std::fprintf(stderr, "a task of the lane '%s' has thrown: %s\n", options_.name, what);
 }

@@ -26,7 +26,7 @@ class LaneTask {
  private:
   friend class Lane;
   [[nodiscard]] bool IsGivenUp() const DHPMAP_EXCLUDES(mutex_);
-  /// The work, to be started now; empty if cancelled.
+  /// Takes the work to start it; empty if cancelled.
   [[nodiscard]] std::function<void()> Take() DHPMAP_EXCLUDES(mutex_);
 
   mutable Mutex mutex_;
@@ -37,7 +37,7 @@ struct LaneOptions {
   const char* name = "lane";  ///< of its threads
   int num_threads = 1;
   std::size_t max_waiting = 1024;  ///< limit of tasks that have not started
-  int niceness = 0;                ///< of its threads, above that of the process: 10 leaves the cores to others
+  int niceness = 0;                ///< of its threads, relative to the process: 10 leaves the cores to others
   Turns turns = Turns::kOrdinary;
   /// Called on the lane's thread with the exception of a task. Empty: logs to standard error.
   std::function<void(const char* what)> on_exception = {};
@@ -53,23 +53,23 @@ class Lane {
   Lane(const Lane&) = delete;
   Lane& operator=(const Lane&) = delete;
 
-  /// False, without keeping the task, if max_waiting live tasks wait.
+  /// False, without keeping the task, if max_waiting tasks that are not cancelled wait.
   [[nodiscard]] bool TryPost(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
-  /// The same for work that pins a state of a map and continues in further tasks. It starts when nothing else waits, so
-  /// that running work ends first and unpins its state; but it does not wait for ever.
+  /// Like TryPost, for work that pins a state of a map and continues in further tasks. It starts when no other task
+  /// waits, so that running work ends first and unpins its state, but after kLongestLast at the latest.
   [[nodiscard]] bool TryPostLast(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
-  /// For work bounded by its source, such as the in-flight frames of a stream: never refused.
+  /// For work that its source bounds, such as the frames in flight of a stream: never refused.
   void Post(std::function<void()> work) DHPMAP_EXCLUDES(mutex_);
   void Post(std::shared_ptr<LaneTask> task) DHPMAP_EXCLUDES(mutex_);
 
-  /// Spread over the caller's thread and idle threads of the lane: if the lane is busy, the caller does all. If a body
-  /// throws, remaining items are skipped, and the caller gets the first exception once running ones have ended.
+  /// Spreads items over the caller's thread and idle threads of the lane; if the lane is busy, the caller does all. If
+  /// a body throws, remaining items are skipped, and the caller gets the first exception after running ones have ended.
   void Share(std::size_t count, const std::function<void(std::size_t)>& body) DHPMAP_EXCLUDES(mutex_);
 
  private:
   class Shared;
   using Clock = std::chrono::steady_clock;
-  /// Maximum time for which others may overtake a task of TryPostLast.
+  /// Longest delay of a TryPostLast task by others.
   static constexpr std::chrono::seconds kLongestLast{5};
   struct Last {
     std::shared_ptr<LaneTask> task;

@@ -10,14 +10,14 @@
 namespace dhpmap {
 namespace {
 
-/// Requests that may be as large as the door takes: with lists of points, rays, bodies, edits or classes. The rest are
-/// names and numbers.
+/// Requests that may use the door's whole limit: those with lists of points, rays, bodies, edits or classes. The others
+/// contain names and numbers.
 constexpr std::array<std::string_view, 8> kLargeRequests = {"ApplyEdits",      "CastRays",  "CheckCollisions",
                                                             "CheckTrajectory", "CreateMap", "QueryDistances",
                                                             "QueryPoints",     "UpdateMap"};
 constexpr std::size_t kMostOfTheRest_bytes = 1u << 20, kMostOfTheRestAsMessage_bytes = 4u << 20;
 
-/// What is small is counted by its bytes alone, unless as a message it is more than so many times what costs nothing.
+/// A request counts by its bytes alone, unless its message exceeds this many times the free bytes.
 constexpr std::size_t kMostSmall = 8;
 
 bool MayBeLarge(const google::protobuf::MethodDescriptor& method) {

@@ -40,7 +40,7 @@ void AddFlags(CLI::App& app, Flags& flags) {
   app.add_flag("--print-config", flags.print_config, "print the effective configuration as YAML and exit");
 }
 
-/// Of the first flag that is none: which one is spelled like it.
+/// A suggestion for the first unknown flag: the one spelled most like it.
 std::string NearFlag(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -73,7 +73,7 @@ KeyValues KeysFromFlags(const Flags& flags) {
   return values;
 }
 
-/// Of several statuses, one with all that they say.
+/// Merges the messages of several statuses into one.
 void AddTo(Status& all, const Status& status) {
   if (status.ok()) return;
   if (all.ok()) {
@@ -106,7 +106,7 @@ Result<Invocation> ParseCommandLine(const std::vector<std::string>& arguments,
   Flags flags;
   AddFlags(app, flags);
   try {
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // the order that CLI11 expects
     app.parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {
     return Invocation{.is_done = true, .text = app.help()};

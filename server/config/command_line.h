@@ -13,12 +13,12 @@ namespace dhpmap {
 struct Invocation {
   ServerConfig config;
   bool is_done = false;   ///< do not serve: print `text` and exit
-  bool is_check = false;  ///< do not serve: tell what is wrong, and exit
+  bool is_check = false;  ///< do not serve: report errors and exit
   std::string text;       ///< help, version or --print-config
 };
 
-/// Defaults < file (--config) < environment < flags; validated, naming every bad key at once. `environment`: strings
-/// "NAME=value". INVALID_ARGUMENT, NOT_FOUND.
+/// Parses the configuration: defaults < file (--config) < environment < flags. Validates it, naming every invalid key
+/// at once. `environment`: strings "NAME=value". INVALID_ARGUMENT, NOT_FOUND.
 Result<Invocation> ParseCommandLine(const std::vector<std::string>& arguments,
                                     const std::vector<std::string>& environment);
 

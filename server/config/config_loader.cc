@@ -29,7 +29,7 @@ Status BadYamlAt(const YAML::Node& node, const std::string& what) {
   return BadYaml("line " + std::to_string(LineOf(node)) + ": " + what);
 }
 
-/// Nested mappings as dotted keys. Aliases may make a document of any size, or one without an end, of a few lines.
+/// Nested mappings as dotted keys. Aliases may make a short document huge or infinite.
 class Flattener {
  public:
   Status Add(const YAML::Node& mapping, const std::string& prefix) {
@@ -53,13 +53,13 @@ class Flattener {
     }
     if (value.IsMap()) return Add(value, key + ".");
     if (value.IsSequence()) return BadYamlAt(name, "'" + key + "' is a list");
-    if (value.IsScalar()) values_.emplace_back(key, value.Scalar());  // else a section with everything commented out
+    if (value.IsScalar()) values_.emplace_back(key, value.Scalar());  // else a section whose keys are all commented out
     return Status::Ok();
   }
 
   KeyValues values_;
   std::map<std::string, int> lines_;
-  std::vector<YAML::Node> open_;  ///< that what is added now is in
+  std::vector<YAML::Node> open_;  ///< the mappings that contain the current one
 };
 
 bool Parse(const std::string& text, std::string& value) {
@@ -76,7 +76,7 @@ bool Parse(const std::string& text, Number& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// What keys of version 0.1 are called now.
+/// New names of keys of version 0.1.
 std::string_view RenamedTo(std::string_view key) {
   if (key == "http.head_timeout_s") return "http.header_timeout_s";
   if (key == "store.busy_timeout_ms") return "store.busy_timeout_s, in seconds";
@@ -115,7 +115,7 @@ std::string Format(double value) {
 }
 std::string Format(Weighting value) { return std::string(WeightingName(value)); }
 
-/// Writes "a.b.c" as nested mappings: opens the sections that the key before was not in.
+/// Writes "a.b.c" as nested mappings; opens the sections that differ from the previous key.
 class NestedWriter {
  public:
   void Write(std::string key, const std::string& value, const char* help) {
@@ -168,7 +168,7 @@ KeyValues KeysFromEnvironment(const std::vector<std::string>& environment) {
   std::vector<std::string> known;
   ServerConfig config;
   VisitServerFields(config, [&known](const char* key, const auto&, double, double, const char*) {
-    // What opens the server to strangers is said where somebody reads it: in the file, or as a flag.
+    // Switches that expose the server must be visible: in the file or as a flag, not in the environment.
     if (!std::string_view(key).starts_with("insecure")) known.emplace_back(key);
   });
   for (const auto& [key, value] : ConfigToText(config.map_defaults)) known.push_back(std::string(kMapDefaults) + key);

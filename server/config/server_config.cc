@@ -49,7 +49,7 @@ void CheckTls(const ServerConfig::Tls& tls, Status& bad) {
   }
 }
 
-/// As browsers send them, or none would ever match: "*" is none, and so is a port that goes without saying.
+/// Requires the form that browsers send, else an origin never matches: "*" is not one, nor is one with a default port.
 void CheckOrigins(const std::string& origins, Status& bad) {
   static const std::regex pattern(R"((http|https)://([a-z0-9._-]+|\[[0-9a-f:]+\])(:[1-9][0-9]{0,4})?)");
   for (const std::string& origin : SplitByComma(origins)) {
@@ -117,8 +117,8 @@ std::string DatabaseFileOf(const ServerConfig& config) {
 std::string KeyFileOf(const ServerConfig& config) {
   if (!config.auth.keys.empty() || DatabaseFileOf(config).empty()) return config.auth.keys;
   std::error_code error;
-  // Beside the database and beside the link to it. Whatever it is, a link that leads nowhere, too: only where there is
-  // nothing at all are keys off.
+  // Look next to the database and next to the link to it. Any file counts, even a dangling link: keys are off only if
+  // nothing is there.
   for (const std::string& db : {config.db, std::filesystem::weakly_canonical(config.db, error).string()}) {
     const std::string beside = db + ".keys";
     if (std::filesystem::symlink_status(beside, error).type() != std::filesystem::file_type::not_found) return beside;

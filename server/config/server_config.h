@@ -104,7 +104,7 @@ struct ServerConfig {
   } limits;
   double shutdown_grace_s = 2.0;
 
-  /// For a new map without a preset.
+  /// For new maps without a preset.
   MapConfig map_defaults = IndoorConfig();
 
   /// INVALID_ARGUMENT naming every invalid key at once.
@@ -112,7 +112,7 @@ struct ServerConfig {
 };
 
 /// Calls visit(key, member, least, most, help) for every field except those of map_defaults; least and most are ignored
-/// for text and switches. The one list of keys: file, environment, flags and --print-config all use it.
+/// for strings and booleans. This is the only list of keys: file, environment, flags and --print-config use it.
 template <typename Config, typename Visitor>
 void VisitServerFields(Config& c, Visitor&& visit) {
   visit("db", c.db, 0, 0,
@@ -218,20 +218,20 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at shutdown");
 }
 
-/// `db` if it is a file; empty if it is the URL of a database server.
+/// `db` if it is a file; empty if it is a database URL.
 std::string DatabaseFileOf(const ServerConfig& config);
 
-/// The file of keys that is in force: `auth.keys`, or the one beside the database if there is one. Empty: keys are off.
+/// The key file in use: `auth.keys`, or the one next to the database if that exists. Empty: no access control.
 std::string KeyFileOf(const ServerConfig& config);
 
-/// Keys whose values differ, without those of map_defaults, which count as one: "map_defaults".
+/// Keys whose values differ. A difference in map_defaults is listed once, as "map_defaults".
 std::vector<std::string> ChangedKeys(const ServerConfig& before, const ServerConfig& after);
 
-/// Whether something may be served at addresses that other machines reach without TLS or without keys.
+/// Whether a switch permits addresses that other machines can reach without TLS or without keys.
 bool IsInsecure(const ServerConfig& config);
 
-/// Of a server that has a certificate, and keys, or not: INVALID_ARGUMENT naming each address that other machines can
-/// reach, and what it lacks, unless a switch says that it may.
+/// Checks the addresses of a server with or without a certificate and keys. INVALID_ARGUMENT, naming each address that
+/// other machines can reach and what it lacks, unless a switch permits it.
 Status CheckExposure(const ServerConfig& config, bool has_tls, bool has_keys);
 
 /// "a, b" -> {"a", "b"}.

@@ -9,7 +9,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-/// Beyond those that every page may send and read.
+/// Headers besides those that every page may send and read.
 constexpr std::string_view kRequestHeaders =
     "Accept, Authorization, Content-Type, If-Match, If-None-Match, Last-Event-ID, X-Request-Id, X-Timeout-S, "
     "traceparent, tracestate";
@@ -49,7 +49,7 @@ std::optional<std::string> AllowedOrigins::OriginOf(const http::RequestHead& hea
   std::optional<std::string> found;
   for (const auto& [name, value] : head.headers) {
     if (!http::EqualsIgnoringCase(name, "origin")) continue;
-    if (found) return std::nullopt;  // a browser sends one
+    if (found) return std::nullopt;  // a browser sends exactly one
     found = value;
   }
   const bool is_allowed = found && std::find(origins_.begin(), origins_.end(), *found) != origins_.end();
@@ -66,7 +66,7 @@ http::Response PreflightAnswer(const http::RequestHead& head, std::string_view m
   response.headers = {{"Access-Control-Allow-Methods", std::string(methods)},
                       {"Access-Control-Allow-Headers", std::string(kRequestHeaders)},
                       {"Access-Control-Max-Age", std::string(kKeep_s)}};
-  // A page of the internet that asks a machine of this network (or this one) has to ask for that, too.
+  // A page on the internet also needs permission to reach a machine in this network, or this one.
   if (http::FindHeader(head.headers, "access-control-request-private-network") == "true") {
     response.headers.emplace_back("Access-Control-Allow-Private-Network", "true");
   }

@@ -12,28 +12,28 @@
 
 namespace dhpmap::gateway {
 
-/// Origins whose web pages may use the API (CORS), with a key that they send themselves: never with the cookie of a
-/// login, which counts for pages of this server alone. Immutable, so thread-safe.
+/// Origins whose web pages may use the API (CORS) with a key that they send themselves. The login cookie never counts
+/// for them: it is valid for pages of this server only. Immutable, so thread-safe.
 class AllowedOrigins {
  public:
-  /// As browsers send them: "https://fleet.example:8443", in small letters, no default port, no slash behind it.
+  /// In the form that browsers send: "https://fleet.example:8443", lower case, no default port, no trailing slash.
   explicit AllowedOrigins(std::vector<std::string> origins = {}) : origins_(std::move(origins)) {}
 
   [[nodiscard]] bool empty() const { return origins_.empty(); }
-  /// Of the page that sends the request, if it is one of these.
+  /// The origin of the request's page, if it is allowed.
   [[nodiscard]] std::optional<std::string> OriginOf(const http::RequestHead& head) const;
 
  private:
   std::vector<std::string> origins_;
 };
 
-/// Whether a browser asks if it may send another request, which it does without any key.
+/// Whether this is a CORS preflight, which browsers send without credentials.
 bool IsPreflight(const http::RequestHead& head);
-/// `methods`: "GET, HEAD, POST", those of the path.
+/// `methods`: those of the path, such as "GET, HEAD, POST".
 http::Response PreflightAnswer(const http::RequestHead& head, std::string_view methods);
 
-/// Passes on to `responder`, saying in each head that the page of `origin` may read the answer; that of none may not.
-/// What caches have for one origin they must not give to another.
+/// Forwards to `responder` and adds the CORS headers that let a page of `origin` read the answer; without an origin
+/// none may. Adds Vary, so that caches keep answers for each origin apart.
 std::shared_ptr<http::Responder> ForOrigin(std::optional<std::string> origin,
                                            std::shared_ptr<http::Responder> responder);
 

@@ -9,13 +9,14 @@
 
 namespace dhpmap::gateway {
 
-/// What one body takes while it is made into a request, beside its own bytes, until this goes. Thread-compatible.
+/// The memory that one body takes while it is parsed, besides its own bytes; returned on destruction.
+/// Thread-compatible.
 class BodyRoom {
  public:
-  /// `share` is empty, of the budget that counts the body as well.
+  /// `share` is empty, and of the budget that counts the body as well.
   BodyRoom(ByteShare share, std::size_t body_bytes) : share_(std::move(share)), body_bytes_(body_bytes) {}
 
-  /// Asks for so many in all: TOO_MANY_BYTES if there are not, BODY_TOO_LARGE if there never are.
+  /// Sets the total to `num_bytes`. TOO_MANY_BYTES if the budget is spent now, BODY_TOO_LARGE if it never suffices.
   Status Hold(std::size_t num_bytes) {
     if (IsSmallRequest(body_bytes_, num_bytes, share_.budget())) return Status::Ok();
     DHPMAP_RETURN_IF_ERROR(CheckEverFits(body_bytes_ + num_bytes, share_.budget()));

@@ -16,7 +16,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kForwarde
     {"authorization", "authorization"},
     {"traceparent", "traceparent"},
     {"tracestate", "tracestate"},
-    {"user-agent", "x-user-agent"},  // gRPC keeps user-agent for itself
+    {"user-agent", "x-user-agent"},  // gRPC reserves user-agent
 }};
 constexpr double kMaxTimeout_s = 86'400;
 
@@ -28,7 +28,7 @@ std::string NewRequestId() {
   static const std::uint64_t seed = std::random_device{}() | std::uint64_t{std::random_device{}()} << 32;
   static std::atomic<std::uint64_t> count{0};
   std::array<char, 17> text{};
-  // An odd multiplier permutes the 64-bit numbers: ids of one process never repeat, and look unlike each other.
+  // An odd multiplier permutes the 64-bit numbers, so ids of one process never repeat and do not look consecutive.
   const std::uint64_t id = (seed ^ count.fetch_add(1)) * 0x9E3779B97F4A7C15u;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), id, 16).ptr;
   return {text.data(), end};

@@ -9,9 +9,9 @@
 
 namespace dhpmap::gateway {
 
-/// The RPC's metadata and deadline from the request's headers: authorization, traceparent, tracestate, user-agent (as
-/// x-user-agent) and x-request-id (made up if there is none) go along; `grpc-timeout: 500m` or `X-Timeout-S: 0.5` limit
-/// it. INVALID_ARGUMENT for a timeout that is none, or a value that gRPC cannot carry.
+/// The RPC's metadata and deadline from the request's headers. Passes on authorization, traceparent, tracestate,
+/// user-agent (as x-user-agent) and x-request-id (generated if missing). `grpc-timeout: 500m` or `X-Timeout-S: 0.5`
+/// sets the deadline. INVALID_ARGUMENT for a malformed timeout, or a value that gRPC cannot carry.
 Result<CallOptions> MakeCallOptions(const std::string& rpc_path, const http::Headers& headers);
 
 /// The request id in `options`.

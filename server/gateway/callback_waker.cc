@@ -16,7 +16,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-/// Runs something when it goes.
+/// Runs a function on destruction.
 class AtEnd {
  public:
   explicit AtEnd(std::function<void()> run) : run_(std::move(run)) {}
@@ -28,8 +28,8 @@ class AtEnd {
   std::function<void()> run_;
 };
 
-/// A call that fails at once, without any network: its end is the event. The last that goes of it says so: nothing of
-/// a call is left to gRPC's threads when the waker is gone.
+/// A call that fails at once without network; its end is the event. The last member destroyed reports it, so nothing of
+/// a call remains on gRPC's threads when the waker is destroyed.
 struct Nudge {
   explicit Nudge(std::function<void()> run) : at_end(std::move(run)) {}
 
@@ -67,7 +67,7 @@ struct CallbackWaker::Impl {
   }
 
   const std::chrono::milliseconds period;
-  grpc::GenericStub stub;  // of a channel that leads nowhere
+  grpc::GenericStub stub;  // on a channel without a server
   Mutex mutex;
   CondVar changed;
   bool stopping DHPMAP_GUARDED_BY(mutex) = false;

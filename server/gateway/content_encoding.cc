@@ -14,8 +14,8 @@
 namespace dhpmap::gateway {
 namespace {
 
-constexpr std::size_t kMostNamed_bytes = 1024;  // far below what gRPC takes as metadata
-constexpr int kGzipWindow = 15 + 16;            // zlib's way to ask for gzip's head and end
+constexpr std::size_t kMostNamed_bytes = 1024;  // far below gRPC's limit of metadata
+constexpr int kGzipWindow = 15 + 16;            // zlib's value for gzip headers and trailers
 constexpr int kLevel = 1, kMemory = 8;
 
 Bytef* BytesOf(std::string_view data) { return reinterpret_cast<Bytef*>(const_cast<char*>(data.data())); }

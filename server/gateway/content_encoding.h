@@ -8,24 +8,24 @@
 
 namespace dhpmap::gateway {
 
-/// Whether an Accept-Encoding header allows gzip. None, as FindHeader tells it, does not.
+/// Whether an Accept-Encoding header allows gzip. A missing header, as FindHeader returns it, does not.
 bool TakesGzip(std::string_view accept_encoding);
 
-/// Whether a file of that type becomes much smaller: meshes do, databases are compressed already.
+/// Whether a file of this type becomes much smaller: meshes do; databases are compressed already.
 bool IsWorthGzip(std::string_view content_type);
 
-/// A strong etag is that of the bytes sent: compressed ones have their own. "" stays "".
+/// The etag of a variant: strong etags identify bytes, so the compressed variant has its own. "" stays "".
 std::string EtagOfVariant(std::string_view etag, bool is_gzip);
 
-/// Whether an If-None-Match header names the etag, which comes without its quotes; "" is never named. Weak and strong
-/// tags count alike, as RFC 9110 has it; "*" names any.
+/// Whether an If-None-Match header matches the etag (without quotes; "" never matches). Weak and strong tags count
+/// alike (RFC 9110); "*" matches any.
 bool IsEtagNamed(std::string_view if_none_match, std::string_view etag);
 
-/// The etags that an If-None-Match header names of a variant, as they are without it, with commas between them: the
-/// first ones, in at most 1,024 bytes. What cannot be an etag of ours is left out.
+/// The etags that an If-None-Match header lists for a variant, in their uncompressed form, separated by commas: the
+/// first ones, in at most 1,024 bytes. Leaves out what cannot be an etag of this server.
 std::string EtagsNamed(std::string_view if_none_match, bool is_gzip);
 
-/// Compresses a file as it comes, quickly rather than well. Thread-compatible.
+/// Compresses a file as a stream, for speed rather than size. Thread-compatible.
 class GzipStream {
  public:
   GzipStream();
@@ -33,9 +33,9 @@ class GzipStream {
   GzipStream(GzipStream&&) noexcept;
   GzipStream& operator=(GzipStream&&) noexcept;
 
-  /// What is ready after `data`; may be nothing yet.
+  /// Returns what is ready after `data`; may be empty.
   std::string Add(std::string_view data);
-  /// The rest. Nothing is added after it.
+  /// Returns the rest. Add must not be called afterwards.
   std::string End();
 
  private:
@@ -43,7 +43,7 @@ class GzipStream {
   std::unique_ptr<State> state_;
 };
 
-/// The file that GzipStream or gzip made; for what is small and known to be whole.
+/// Decompresses a gzip file, for small and complete ones.
 std::string Gunzip(std::string_view gzipped, std::size_t size);
 
 }  // namespace dhpmap::gateway

@@ -113,8 +113,8 @@ http::Response Dispatcher::NoRoute(const http::RequestHead& head, std::string_vi
 Result<std::shared_ptr<http::Exchange>> Dispatcher::BeginRpc(const http::RequestHead& head, bool is_open,
                                                              RouteMatch match, std::string_view query,
                                                              const std::shared_ptr<http::Responder>& responder) const {
-  // A web page of another origin must not reach a server on the user's own machine: browsers say where they come from,
-  // and what they send without asking first may look like curl's.
+  // A page of another origin must not reach a server on the user's machine. Browsers name the origin; but requests that
+  // they send without a preflight may look like curl's.
   if (head.is_from_foreign_page && !is_open && !IsRead(head)) {
     return Status(StatusCode::kPermissionDenied, "requests from web pages of another origin are not taken")
         .WithReason("FOREIGN_ORIGIN");
@@ -148,7 +148,7 @@ Status Dispatcher::Admit(const http::RequestHead& head, const RouteMatch& match,
   const auth::CallNeeds* needs = gate_->NeedsOf(match.route->rpc_path);
   if (needs == nullptr) return Internal("an rpc says nothing of who may call it");
   DHPMAP_RETURN_IF_ERROR(auth::CheckRole(*principal, *needs));
-  // The handler asks of each message again; here a body is refused before it comes.
+  // The handler checks each message again; this check refuses a body before it arrives.
   for (const std::string& value : match.values) {
     if (!value.starts_with("maps/")) continue;
     DHPMAP_RETURN_IF_ERROR(auth::CheckMap(*principal, MapOfResource(value)));

@@ -15,11 +15,11 @@
 
 namespace dhpmap::gateway {
 
-/// Decides what a request is: a page of the gateway's own, an RPC, or an error. Thread-safe.
+/// Maps a request to a page of the gateway, an RPC, or an error. Thread-safe.
 class Dispatcher final : public http::Handler {
  public:
-  /// What `backend` names outlives this. Larger bodies than `max_body_bytes` are refused, and requests for whose bodies
-  /// and answers `inflight` has no room. Pages of `origins` may do what their keys may.
+  /// The objects that `backend` points to must outlive this. Refuses bodies above `max_body_bytes`, and requests for
+  /// which `inflight` has no room. Pages of `origins` may do what their keys permit.
   Dispatcher(HttpRuleRouter router, RpcBackend backend, GatewayHooks hooks, std::size_t max_body_bytes,
              std::shared_ptr<ByteBudget> inflight, AllowedOrigins origins = AllowedOrigins());
 
@@ -29,7 +29,7 @@ class Dispatcher final : public http::Handler {
   [[nodiscard]] http::Response ErrorAnswer(const Status& error) const override;
 
  private:
-  /// `is_open`: to pages of the request's origin.
+  /// `is_open`: the origin of the request's page is allowed.
   std::shared_ptr<http::Exchange> BeginFor(const http::RequestHead& head, bool is_open,
                                            const std::shared_ptr<http::Responder>& responder) const;
   [[nodiscard]] http::Response NoRoute(const http::RequestHead& head, std::string_view path) const;
@@ -37,14 +37,14 @@ class Dispatcher final : public http::Handler {
                                                    std::string_view query,
                                                    const std::shared_ptr<http::Responder>& responder) const;
 
-  /// Of a page that is not for all.
+  /// Checks access to a page that is not public.
   [[nodiscard]] Status CheckPage(const http::RequestHead& head, std::string_view path) const;
-  /// Whether the RPC may be called, and for whom: set if it is known, also of a call that is refused; null without
+  /// Whether the caller may call the RPC. Sets `principal` once it is known, also if the call is refused; null without
   /// keys.
   Status Admit(const http::RequestHead& head, const RouteMatch& match, auth::PrincipalPtr& principal) const;
 
   HttpRuleRouter router_;
-  std::shared_ptr<auth::Gate> gate_;  ///< null: all is open
+  std::shared_ptr<auth::Gate> gate_;  ///< null: no access control
   Pages pages_;
   RpcBackend backend_;
   std::size_t max_body_bytes_;

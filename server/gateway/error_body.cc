@@ -16,14 +16,14 @@ namespace {
 
 google::rpc::Status Parsed(const RpcStatus& status) {
   google::rpc::Status proto;
-  // Details that do not parse, or contradict the code, are dropped: the code and the message are what counts.
+  // Details that do not parse or contradict the code are dropped: code and message matter.
   if (!proto.ParseFromString(status.details) || proto.code() != status.code) proto.Clear();
   proto.set_code(status.code);
   proto.set_message(ToValidUtf8(status.message));
   return proto;
 }
 
-/// The reason that the RPC gave, if it is one of ours and goes with the code.
+/// The reason of the RPC, if it is one of ours and fits the code.
 Reason ReasonOf(const RpcStatus& status) {
   const Reason reason = Reason::Find(ReadErrorDetails(status.details).reason);
   return reason.Allows(static_cast<StatusCode>(status.code)) ? reason : Reason();
@@ -44,7 +44,7 @@ void AppendDetail(const google::protobuf::Any& detail, std::string* out) {
   *out += "\"}";
 }
 
-/// What google.rpc.RetryInfo says, in whole seconds; empty: nothing.
+/// The delay of google.rpc.RetryInfo in whole seconds; empty without one.
 std::string RetryAfterOf(const google::rpc::Status& status) {
   google::rpc::RetryInfo retry;
   for (const google::protobuf::Any& detail : status.details()) {

@@ -13,10 +13,10 @@ namespace dhpmap::gateway {
 /// {"code":5,"message":"...","details":[{"@type":...}]}
 std::string ErrorJson(const RpcStatus& status);
 
-/// The whole answer, as google.rpc.Status in JSON or protobuf, with the HTTP status of its reason, where that has one
-/// of its own (410 for COMPACTED), or of its code. Retry-After as google.rpc.RetryInfo has it.
+/// A complete error answer: google.rpc.Status in JSON or protobuf. The HTTP status follows from the reason, if that has
+/// its own (410 for COMPACTED), else from the code. Retry-After is taken from google.rpc.RetryInfo.
 http::Response ErrorResponse(const RpcStatus& status, AnswerFormat format);
-/// For what the gateway itself refuses.
+/// For errors of the gateway itself.
 http::Response ErrorResponse(const Status& status, AnswerFormat format);
 
 /// {"error":{...}}, the last line of an NDJSON answer.

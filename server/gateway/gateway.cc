@@ -14,9 +14,9 @@ namespace dhpmap {
 namespace {
 
 constexpr std::chrono::seconds kCancelTimeout{5};
-/// As nice as what bulk calls do behind the other door.
+/// The niceness of bulk calls at the gRPC door.
 constexpr int kBulkNiceness = 15;
-/// As many and as nice as those that decode behind the other door.
+/// As many decoder threads, and as nice, as at the gRPC door.
 constexpr int kFrameThreads = 2, kFrameNiceness = 5;
 
 }  // namespace
@@ -28,7 +28,7 @@ struct Gateway::Impl {
         dispatcher(std::move(router), {&caller, &bulk, &shared, &frames, &pages}, std::move(hooks),
                    options.max_body_bytes, options.inflight, gateway::AllowedOrigins(options.allowed_origins)) {}
 
-  enum class State { kServing, kShutDown, kStuck };  // kStuck: shut down, but something still refers to us
+  enum class State { kServing, kShutDown, kStuck };  // kStuck: shut down, but something still refers to this
 
   gateway::RpcCaller caller;
   gateway::SharedAnswers shared;
@@ -36,7 +36,7 @@ struct Gateway::Impl {
   std::unique_ptr<http::Server> server;
   Mutex mutex;
   State state DHPMAP_GUARDED_BY(mutex) = State::kServing;
-  // Last: their threads end before all they use.
+  // Last, so that their threads end before the objects that they use.
   Lane bulk{{.name = "json", .num_threads = 1, .niceness = kBulkNiceness}};
   Lane frames{{.name = "json frames", .num_threads = kFrameThreads, .niceness = kFrameNiceness}};
   Lane pages{{.name = "metrics"}};
@@ -67,7 +67,7 @@ Gateway::~Gateway() {
     const MutexLock lock(impl_->mutex);
     return impl_->state == Impl::State::kStuck;
   }();
-  if (is_stuck) (void)impl_.release();  // a leak at the end of a server is better than a crash
+  if (is_stuck) (void)impl_.release();  // a leak at shutdown is better than a crash
 }
 
 int Gateway::port() const { return impl_->server->port(); }
@@ -76,7 +76,7 @@ void Gateway::Shutdown(double grace_s) {
   const MutexLock lock(impl_->mutex);
   if (impl_->state != Impl::State::kServing) return;
   const bool connections_ended = impl_->server->Shutdown(std::chrono::duration<double>(grace_s));
-  // Cancelled calls end at once on this side, but their last words still come through the server's threads.
+  // Cancelled calls end at once on this side, but their final events still come through the server's threads.
   const bool calls_ended = impl_->caller.WaitUntilIdle(kCancelTimeout);
   impl_->state = connections_ended && calls_ended ? Impl::State::kShutDown : Impl::State::kStuck;
 }

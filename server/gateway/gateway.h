@@ -22,22 +22,24 @@ class TlsContext;
 }
 
 struct GatewayOptions {
-  std::string address = "127.0.0.1:8080";                ///< host:port, port 0 takes a free one; or unix:PATH
-  std::vector<int> sockets = {};                         ///< that listen already, in its place; then the door's
-  std::shared_ptr<const net::TlsContext> tls;            ///< null: in the clear
-  std::function<void(std::string_view why)> on_refused;  ///< a connection, by TLS; from several threads; may be empty
-  std::size_t max_body_bytes = 64u << 20;                ///< a larger body is answered with 413
-  /// For bodies and answers in memory; beyond it requests are answered with 429. Never null.
+  std::string address = "127.0.0.1:8080";                ///< host:port (port 0: a free one), or unix:PATH
+  std::vector<int> sockets = {};                         ///< already listening, in place of `address`; owned by the
+                                                         ///< door
+  std::shared_ptr<const net::TlsContext> tls;            ///< null: no TLS
+  std::function<void(std::string_view why)> on_refused;  ///< TLS refused a connection; from several threads; may be
+                                                         ///< empty
+  std::size_t max_body_bytes = 64u << 20;                ///< larger bodies are answered with 413
+  /// For bodies and answers in memory. Requests beyond it are answered with 429. Never null.
   std::shared_ptr<ByteBudget> inflight = std::make_shared<ByteBudget>(256u << 20);
   int num_threads = 1;
-  std::vector<std::string> allowed_hosts;    ///< names under which it answers, besides its address and localhost
-  std::vector<std::string> allowed_origins;  ///< whose pages may use it with a key; see AllowedOrigins
+  std::vector<std::string> allowed_hosts;    ///< host names to accept, besides its address and localhost
+  std::vector<std::string> allowed_origins;  ///< whose pages may use the API with a key; see AllowedOrigins
   int max_connections = 1000;
   double idle_timeout_s = 60;  ///< of a connection between requests
   double head_timeout_s = 10;  ///< from the first byte of a request to the end of its head
 };
 
-/// REST door: every RPC with a google.api.http annotation, transcoded from the descriptors and called over an
+/// The REST door: transcodes every RPC with a google.api.http annotation by its descriptors, and calls it over an
 /// in-process channel, so that both doors run the same handlers. Thread-safe.
 class Gateway {
  public:
@@ -47,7 +49,7 @@ class Gateway {
   ~Gateway();
 
   [[nodiscard]] int port() const;
-  /// Refuses new requests, lets running ones end for at most `grace_s`, then closes.
+  /// Refuses new requests, waits at most `grace_s` for running ones, then closes.
   void Shutdown(double grace_s = 2.0);
 
  private:

@@ -127,8 +127,8 @@ Status AddRoutes(const MethodDescriptor& method, std::vector<Route>* routes) {
   return Status::Ok();
 }
 
-/// Literals before "*" before "**", segment by segment, so that of two templates that match the same path the more
-/// specific one is found.
+/// Orders templates by segment: literals before "*" before "**". So the most specific of the templates that match a
+/// path is found first.
 bool MoreSpecific(const Route& a, const Route& b) {
   const auto& left = a.path.segments();
   const auto& right = b.path.segments();

@@ -19,8 +19,8 @@ class ServiceDescriptor;
 
 namespace dhpmap::gateway {
 
-/// A message that holds a file, or a stream of messages that hold its parts: `bytes data`, and `string content_type`
-/// (its size, and its etag) in the first.
+/// Fields of a message that contains a file, or of the messages of a stream that carry its parts: `bytes data`, and in
+/// the first message `string content_type` and optionally size and etag.
 struct FileFields {
   const google::protobuf::FieldDescriptor* data;
   const google::protobuf::FieldDescriptor* content_type;
@@ -28,9 +28,8 @@ struct FileFields {
   const google::protobuf::FieldDescriptor* etag;         ///< string; null if there is none
 };
 
-/// A stream of messages that tell where to go on: `string position` of each, which the request may give back as
-/// `string resume_after`, and one oneof, whose field that is set is the kind of event. Such a stream may be silent for
-/// long.
+/// Fields of a stream that can be resumed: each message has a `string position`, which a request may send back as
+/// `string resume_after`, and a oneof whose set field is the kind of event. Such a stream may be silent for long.
 struct EventFields {
   const google::protobuf::FieldDescriptor* position;
   const google::protobuf::OneofDescriptor* event;
@@ -49,14 +48,14 @@ struct Route {
   Body body = Body::kNone;
   const google::protobuf::FieldDescriptor* body_field = nullptr;      ///< for kField
   const google::protobuf::FieldDescriptor* response_field = nullptr;  ///< null: the whole response is the answer
-  const google::protobuf::FieldDescriptor* update_mask = nullptr;  ///< of a PATCH: derived from the body if not given
+  const google::protobuf::FieldDescriptor* update_mask = nullptr;     ///< for PATCH: derived from the body if not given
   std::optional<FileFields> file;
   std::optional<EventFields> events;
 
   [[nodiscard]] bool is_stream() const;  ///< in either direction
   [[nodiscard]] bool client_streams() const;
   [[nodiscard]] bool server_streams() const;
-  /// The client streams the parts of a file: its body's field is bytes.
+  /// Whether the client streams the parts of a file: the body's field is bytes.
   [[nodiscard]] bool takes_file() const;
 };
 
@@ -65,17 +64,18 @@ struct RouteMatch {
   std::vector<std::string> values;  ///< of the path's variables
 };
 
-/// Finds the RPC of a request, from google.api.http annotations alone. Immutable, so thread-safe.
+/// Finds the RPC of a request by google.api.http annotations. Immutable, so thread-safe.
 class HttpRuleRouter {
  public:
-  /// Every service with annotations in the generated descriptor pool. INVALID_ARGUMENT for a rule that is wrong
-  /// (template, field) or that matches the same requests as another.
+  /// Routes for every annotated service in the generated descriptor pool. INVALID_ARGUMENT for an invalid rule
+  /// (template, field), or one that matches the same requests as another.
   static Result<HttpRuleRouter> FromLinkedServices();
   static Result<HttpRuleRouter> FromServices(const std::vector<const google::protobuf::ServiceDescriptor*>& services);
 
-  /// The route and path values; `route` is null if the path is unknown for this method. HEAD finds the routes of GET.
+  /// Returns the route and the path values; `route` is null if no route has this path and method. HEAD uses the routes
+  /// of GET.
   [[nodiscard]] RouteMatch Find(std::string_view http_method, std::string_view encoded_path) const;
-  /// Methods that the path has, for `Allow`: "DELETE, GET, HEAD"; empty if the path is unknown.
+  /// The methods of the path, for `Allow`: "DELETE, GET, HEAD"; empty for an unknown path.
   [[nodiscard]] std::string AllowedMethods(std::string_view encoded_path) const;
 
   /// Most specific first.

@@ -3,9 +3,9 @@
 
 namespace dhpmap::gateway {
 
-/// Keeps the linker from dropping our services' descriptors, and google.rpc's details, from the static library: the
-/// router finds the former in the generated pool, and the JSON form of an Any needs the latter. A new .proto file is
-/// added here.
+/// Keeps the linker from dropping the descriptors of our services and of google.rpc's details from the static library.
+/// The router finds services in the generated pool, and the JSON form of an Any needs its type there. Add each new
+/// .proto file here.
 void LinkProtos();
 
 }  // namespace dhpmap::gateway

@@ -36,7 +36,7 @@ constexpr std::string_view kFileNames[] = {"application/octet-stream", "applicat
                                            "application/x-sqlite3", "application/x-www-form-urlencoded"};
 constexpr std::string_view kStreamNames[] = {"application/x-protobuf-stream", "application/x-protobuf-delimited"};
 
-/// Whether a media range, such as "text/*", is one of a type.
+/// Whether a media range such as "text/*" contains the type.
 bool IsOneOf(std::string_view range, std::string_view type) {
   if (range == "*/*" || http::EqualsIgnoringCase(range, type)) return true;
   if (!range.ends_with("/*")) return false;
@@ -44,14 +44,14 @@ bool IsOneOf(std::string_view range, std::string_view type) {
   return http::EqualsIgnoringCase(range, type.substr(0, range.size()));
 }
 
-/// The `q` of a media range, 0 to 1; 1 if it has none, 0 if it is not a number.
+/// The `q` of a media range, 0 to 1; 1 if missing, 0 if it is not a number.
 double QualityOf(std::string_view range) {
   for (std::size_t at = range.find(';'); at != std::string_view::npos; at = range.find(';', at + 1)) {
     const std::string_view parameter = Trimmed(range.substr(at + 1));
     if (parameter.size() < 2 || (parameter[0] != 'q' && parameter[0] != 'Q') || parameter[1] != '=') continue;
     double quality = 0;
     std::from_chars(parameter.data() + 2, parameter.data() + parameter.size(), quality);
-    return quality > 0 ? std::min(quality, 1.0) : 0;  // not for a NaN
+    return quality > 0 ? std::min(quality, 1.0) : 0;  // false for NaN
   }
   return 1;
 }

@@ -8,37 +8,37 @@
 
 namespace dhpmap::gateway {
 
-/// What a body is written in.
+/// Format of a request body.
 enum class BodyFormat {
-  kJson,               ///< one value; for a client stream any number, each after the other (NDJSON)
+  kJson,               ///< one value; for a client stream any number of values in a row (NDJSON)
   kProtobuf,           ///< one message
-  kDelimitedProtobuf,  ///< each message after its length as a varint
-  kFile                ///< a file, for an RPC that takes its parts
+  kDelimitedProtobuf,  ///< each message preceded by its length as a varint
+  kFile                ///< a file, for an RPC that receives its parts
 };
 
-/// Nothing for a type that we do not take. A missing type and curl's default (a form) count as JSON.
+/// Nothing for an unsupported type. A missing type and curl's default (a form) count as JSON.
 std::optional<BodyFormat> FormatOfContentType(std::string_view content_type);
 
-/// Whether the type is one of a file's bytes. A missing type and curl's default count as that, too.
+/// Whether the type stands for the bytes of a file. A missing type and curl's default count, too.
 bool IsFileType(std::string_view content_type);
 
-/// Whether the type names one JSON value, rather than any number of them or nothing.
+/// Whether the type stands for one JSON value: not for NDJSON, and not if it is missing.
 bool IsOneJsonValue(std::string_view content_type);
 
-/// What the client wants to get.
+/// The answer format that the client asks for.
 enum class AnswerFormat {
   kJson,      ///< streams as NDJSON
   kProtobuf,  ///< streams as length-delimited messages
-  kEvents,    ///< streams as server-sent events, all else as JSON
-  kAny        ///< it named neither of them
+  kEvents,    ///< streams as server-sent events, everything else as JSON
+  kAny        ///< none of these is named
 };
 AnswerFormat FormatOfAccept(std::string_view accept);
 
-/// Whether an Accept header allows an answer of this type. One that names no type allows all.
+/// Whether an Accept header allows this type. A header without types allows all.
 bool IsAccepted(std::string_view accept, std::string_view type);
-/// Whether it allows anything that we write messages in.
+/// Whether it allows any format of messages.
 bool IsAnyFormatAccepted(std::string_view accept);
-/// Reason NOT_ACCEPTABLE; `type`: what there is.
+/// Reason NOT_ACCEPTABLE; `type`: the available type.
 Status NotAcceptable(std::string_view accept, std::string_view type);
 
 inline constexpr std::string_view kBytesType = "application/octet-stream";

@@ -19,7 +19,7 @@ void MessageSplitter::Add(std::string_view data) {
     scanned_ -= start_;
     start_ = 0;
   }
-  // One message at most may be kept; a stream's piece may hold the end of one and the start of the next.
+  // Keep at most one message; a piece of a stream may end one message and start the next.
   const std::size_t room = max_message_bytes_ + (is_stream_ ? data.size() : 0);
   if (buffer_.size() + data.size() > room) {
     Fail(Fault::kTooLarge);
@@ -55,7 +55,7 @@ std::optional<std::string> MessageSplitter::Take(std::size_t skip, std::size_t s
   if (size > max_message_bytes_) return Fail(Fault::kTooLarge);
   const std::size_t begin = start_ + skip, end = begin + size;
   std::string message;
-  if (size > buffer_.size() / 2) {  // the rest is less to copy, and what is large is not there twice
+  if (size > buffer_.size() / 2) {  // copy the smaller rest, and do not hold a large message twice
     std::string rest = buffer_.substr(end);
     message.swap(buffer_);
     message.resize(end);
@@ -82,7 +82,7 @@ bool MessageSplitter::has_nothing_left() const {
   return buffer_.find_first_not_of(format_ == BodyFormat::kJson ? kSpace : "", start_) == std::string::npos;
 }
 
-/// False if there is only space.
+/// False if only whitespace is left.
 bool MessageSplitter::SkipToMessage() {
   start_ = std::min(buffer_.find_first_not_of(kSpace, scanned_), buffer_.size());
   scanned_ = start_;
@@ -92,14 +92,14 @@ bool MessageSplitter::SkipToMessage() {
   return true;
 }
 
-/// To the newline, or the end of what there is.
+/// Scans to the newline, or to the end of the data so far.
 bool MessageSplitter::ScanLine() {
   const std::size_t newline = buffer_.find('\n', scanned_);
   scanned_ = std::min(newline, buffer_.size());
   return newline != std::string::npos;
 }
 
-/// Past the closing brace, or to the end of what there is.
+/// Scans past the closing brace, or to the end of the data so far.
 bool MessageSplitter::ScanObject() {
   while (scanned_ < buffer_.size()) {
     const char c = buffer_[scanned_++];

@@ -10,40 +10,39 @@
 
 namespace dhpmap::gateway {
 
-/// Cuts a body that arrives in pieces into its messages, looking at each byte once. JSON objects may follow each other
-/// with or without newlines and may span lines; anything else is taken up to the end of its line, for the parser to
-/// refuse. Of a file messages are what has come of it, at most 256 KiB; one at least. Thread-compatible.
+/// Splits a body that arrives in pieces into messages; scans each byte once. JSON objects may follow each other with or
+/// without newlines and may span lines. Other text is taken up to the end of its line, and the parser refuses it. A
+/// file is split as it arrives, into messages of at most 256 KiB, at least one. Thread-compatible.
 class MessageSplitter {
  public:
-  /// `is_stream` false: the whole body is one message, empty or not.
+  /// `is_stream` false: the whole body is one message, possibly empty.
   MessageSplitter(BodyFormat format, bool is_stream, std::size_t max_message_bytes)
       : format_(format), is_stream_(is_stream), max_message_bytes_(max_message_bytes) {}
 
   void Add(std::string_view data);
   void AddEnd() { ended_ = true; }
 
-  /// The next complete message, once; nothing if there is none (yet). What is left at the end comes as the last
-  /// message.
+  /// Takes the next complete message; nothing if there is none yet. After AddEnd the rest is the last message.
   std::optional<std::string> Next();
 
   [[nodiscard]] bool ended() const { return ended_; }
-  /// Whether nothing but space has come after the messages that were taken.
+  /// Whether only whitespace follows the messages taken so far.
   [[nodiscard]] bool has_nothing_left() const;
   [[nodiscard]] std::size_t buffered_bytes() const { return buffer_.size(); }
-  /// A message is larger than allowed; what came of it has been let go.
+  /// A message exceeds the limit; the data received of it were dropped.
   [[nodiscard]] bool is_too_large() const { return fault_ == Fault::kTooLarge; }
-  /// A length-delimited message that is cut off, or whose length is no varint.
+  /// A length-delimited message is truncated, or its length is not a varint.
   [[nodiscard]] bool is_broken() const { return fault_ == Fault::kBroken; }
 
  private:
   enum class Fault { kNone, kTooLarge, kBroken };
-  /// Where in JSON text the scan is.
+  /// State of the scan in JSON text.
   enum class Scan {
     kBetween,      ///< before a message
-    kLine,         ///< in one that starts with no brace: it ends with its line
+    kLine,         ///< in a message that does not begin with a brace: it ends with its line
     kObject,       ///< in an object, outside of strings
-    kString,       ///< in a string of it
-    kAfterEscape,  ///< after a backslash in that
+    kString,       ///< in a string of the object
+    kAfterEscape,  ///< after a backslash in a string
   };
 
   std::optional<std::string> NextWhole();
@@ -60,12 +59,12 @@ class MessageSplitter {
   bool is_stream_;
   std::size_t max_message_bytes_;
   std::string buffer_;
-  std::size_t start_ = 0;    // of what is not taken yet
-  std::size_t scanned_ = 0;  // JSON: no byte before this is looked at again
+  std::size_t start_ = 0;    // start of the data not taken yet
+  std::size_t scanned_ = 0;  // JSON: bytes before this are not scanned again
   Scan scan_ = Scan::kBetween;
-  int depth_ = 0;  // of the object
+  int depth_ = 0;  // of nested braces
   bool ended_ = false;
-  bool taken_ = false;  // the one message of what is no stream, or one of a file
+  bool taken_ = false;  // not a stream: the message was taken; a file: at least one was
   Fault fault_ = Fault::kNone;
 };
 

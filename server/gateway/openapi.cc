@@ -21,7 +21,7 @@ std::string Lower(std::string text) {
   return text;
 }
 
-/// One binding as an OpenAPI operation.
+/// Writes one binding as an OpenAPI operation.
 class OperationWriter {
  public:
   OperationWriter(const Route& route, int binding, OpenApiSchemas* schemas, json::Builder* out)
@@ -56,9 +56,9 @@ class OperationWriter {
     out_.EndArray();
   }
 
-  /// All fields that a query can give: scalars and their lists, and those of singular messages, a few levels down.
+  /// All fields that a query can set: scalars, their lists, and those of singular messages, a few levels deep.
   void WriteQuery(const Descriptor& type, json::FieldPath* path) {
-    constexpr std::size_t kMaxDepth = 4;  // messages may contain themselves
+    constexpr std::size_t kMaxDepth = 4;  // messages may be recursive
     for (int i = 0; i < type.field_count(); ++i) {
       const FieldDescriptor* field = type.field(i);
       path->push_back(field);
@@ -190,7 +190,8 @@ std::string OpenApiDocument(const HttpRuleRouter& router) {
       "info",
       R"({"title":"DHP Map Server","version":"v1","description":"Hierarchical panoptic maps: frames in, )"
       R"(queries out. The same RPCs are served over gRPC; 64-bit numbers are strings in JSON.","license":{"name":"BSD-3-Clause"}})");
-  out.RawMember("servers", R"([{"url":"/"}])").RawMember("security", "[]");  // where it is; there is no authentication
+  out.RawMember("servers", R"([{"url":"/"}])").RawMember("security", "[]");  // the server's own URL; no authentication
+                                                                             // declared
   out.Key("paths").BeginObject();
   std::map<std::string, int> bindings;  // of each RPC, so that operation ids differ
   for (const auto& [path, operations] : paths) {

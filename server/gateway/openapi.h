@@ -7,15 +7,15 @@
 
 namespace dhpmap::gateway {
 
-/// OpenAPI 3.0 of everything the router finds: each binding an operation, each message and enum a schema.
+/// The OpenAPI 3.0 document of all routes: each binding is an operation, each message and enum a schema.
 std::string OpenApiDocument(const HttpRuleRouter& router);
 
-/// A template as OpenAPI writes it: "/v1/{name=maps/*/submaps/*}/mesh" -> "/v1/maps/{map}/submaps/{submap}/mesh", a
-/// wild card being named after the literal before it.
+/// A path template in OpenAPI form: "/v1/{name=maps/*/submaps/*}/mesh" -> "/v1/maps/{map}/submaps/{submap}/mesh". A
+/// wildcard is named after the literal before it.
 struct OpenApiPath {
   struct Parameter {
     std::string name;
-    std::string field;  ///< path of the field it is part of
+    std::string field;  ///< path of the field that contains it
   };
   std::string text;
   std::vector<Parameter> parameters;

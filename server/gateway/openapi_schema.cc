@@ -48,7 +48,7 @@ std::string_view ScalarSchema(const FieldDescriptor& field) {
     case FieldDescriptor::TYPE_DOUBLE: return R"({"type":"number","format":"double"})";
     default: break;
   }
-  switch (field.cpp_type()) {  // 64-bit numbers are strings in JSON; numbers are taken as well
+  switch (field.cpp_type()) {  // 64-bit numbers are strings in JSON; numbers are accepted as well
     case FieldDescriptor::CPPTYPE_INT64: return R"({"type":"string","format":"int64"})";
     case FieldDescriptor::CPPTYPE_UINT64: return R"({"type":"string","format":"uint64"})";
     case FieldDescriptor::CPPTYPE_UINT32:
@@ -111,7 +111,7 @@ void OpenApiSchemas::WriteDefinition(const Descriptor& type, json::Builder* out)
 
 void OpenApiSchemas::WriteAll(json::Builder* out) {
   std::set<std::string> written;
-  for (bool found_more = true; found_more;) {  // writing one may refer to others
+  for (bool found_more = true; found_more;) {  // writing one may add further references
     found_more = false;
     const auto snapshot = messages_;
     for (const auto& [name, type] : snapshot) {

@@ -14,15 +14,15 @@ class FieldDescriptor;
 
 namespace dhpmap::gateway {
 
-/// Collects the types that an OpenAPI document refers to, and writes them. Thread-compatible.
+/// Collects the types that an OpenAPI document refers to, and writes their schemas. Thread-compatible.
 class OpenApiSchemas {
  public:
-  /// A schema object of one value of the field (of the list, if it is repeated), as it appears in JSON.
+  /// Writes the schema of one value of the field (of an element, if it is repeated), as in JSON.
   void WriteField(const google::protobuf::FieldDescriptor& field, json::Builder* out);
-  /// A reference to the message's schema, or what stands for a well-known type.
+  /// Writes a reference to the message's schema, or the schema of a well-known type.
   void WriteMessage(const google::protobuf::Descriptor& type, json::Builder* out);
 
-  /// The members of components/schemas: everything referred to so far, and what that refers to.
+  /// Writes the members of components/schemas: all types referred to so far, and those that they refer to.
   void WriteAll(json::Builder* out);
 
  private:

@@ -23,7 +23,7 @@ class PageExchange final : public http::Exchange, public std::enable_shared_from
         if (!self->is_closed_) self->responder_->Reply(std::move(page));
       });
     });
-    lane.Post(making_);  // one a connection
+    lane.Post(making_);  // at most one per connection
   }
 
   bool OnBody(std::string_view) override { return true; }
@@ -37,7 +37,7 @@ class PageExchange final : public http::Exchange, public std::enable_shared_from
  private:
   const std::shared_ptr<http::Responder> responder_;
   std::shared_ptr<LaneTask> making_;
-  bool is_closed_ = false;  // used on the connection's sequence of execution
+  bool is_closed_ = false;  // on the connection's sequence of execution
 };
 
 }  // namespace

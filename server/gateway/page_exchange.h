@@ -12,8 +12,8 @@ class Lane;
 
 namespace dhpmap::gateway {
 
-/// Answers with a page that is made on `lane`, so that the connections' thread is free meanwhile; a body is let go.
-/// A page whose client is gone before it is begun is never made.
+/// Makes a page on `lane`, so that the connections' thread stays free; ignores the body. Skips the work if the client
+/// disconnects before it starts.
 std::shared_ptr<http::Exchange> MakePageExchange(std::function<http::Response()> make, Lane& lane,
                                                  std::shared_ptr<http::Responder> responder);
 

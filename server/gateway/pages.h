@@ -13,18 +13,18 @@ namespace dhpmap::gateway {
 
 class HttpRuleRouter;
 
-/// What the gateway answers itself, without any RPC: the index, /healthz, /readyz, /metrics, /openapi.json.
-/// Thread-safe.
+/// Pages that the gateway serves without an RPC: the index, /healthz, /readyz, /metrics, /openapi.json. Thread-safe.
 class Pages {
  public:
   Pages(const HttpRuleRouter& router, GatewayHooks hooks);
 
   [[nodiscard]] bool Has(std::string_view path) const { return pages_.find(path) != pages_.end(); }
-  /// Whether making it may take milliseconds, which the connections' thread has not. `path` is one that Has knows.
+  /// Whether making it may take milliseconds, too long for the connections' thread. Has(path) must be true.
   [[nodiscard]] static bool TakesTime(std::string_view path) { return path == kMetricsPath; }
-  /// Whether it is shown to those without a key: that the server is there, and whether it can be asked.
+  /// Whether it is public: liveness and readiness.
   [[nodiscard]] static bool IsForAll(std::string_view path) { return path == "/healthz" || path == "/readyz"; }
-  /// What makes it, anew each time; may be called on any thread, and when this is gone. `path` is one that Has knows.
+  /// The function that makes the page; it may be called on any thread, and after this is destroyed. Has(path) must be
+  /// true.
   [[nodiscard]] std::function<http::Response()> MakerOf(std::string_view path) const {
     return pages_.find(path)->second;
   }

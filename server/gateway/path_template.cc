@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxSegments = 32;
 }
 
-/// Recursive descent over the grammar; fails on the first surprise.
+/// Recursive descent over the grammar; fails at the first error.
 class TemplateParser {
  public:
   explicit TemplateParser(std::string_view text) : text_(text) { path_.text_ = text; }
@@ -99,7 +99,7 @@ std::optional<std::vector<std::string>> PathTemplate::Match(std::string_view pat
   }
   if (verb != verb_ || path.empty() || path.front() != '/') return std::nullopt;
 
-  std::array<std::size_t, kMaxSegments + 1> starts;  // of each segment in `path`; one more at the end
+  std::array<std::size_t, kMaxSegments + 1> starts;  // of each segment in `path`, plus the end
   std::size_t num_starts = 0;
   std::size_t at = 1;
   for (const Segment& segment : segments_) {

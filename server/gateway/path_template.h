@@ -10,28 +10,28 @@
 
 namespace dhpmap::gateway {
 
-/// A path of google.api.http: "/v1/{name=maps/*}:stats". Grammar as in google/api/http.proto. Immutable.
+/// A path template of google.api.http: "/v1/{name=maps/*}:stats". Grammar as in google/api/http.proto. Immutable.
 class PathTemplate {
  public:
-  enum class Kind { kLiteral, kOne, kMany };  ///< text, "*" (one segment), "**" (the rest; only as the last segment)
+  enum class Kind { kLiteral, kOne, kMany };  ///< text, "*" (one segment), "**" (the rest; last segment only)
   struct Segment {
     Kind kind;
     std::string text;  ///< of a literal
   };
   struct Variable {
     std::string field_path;  ///< as written: "submap.name"
-    std::size_t begin;       ///< segments [begin, end) are its value
+    std::size_t begin;       ///< its value is segments [begin, end)
     std::size_t end;
     [[nodiscard]] bool is_one_segment(const PathTemplate& path) const {
       return end == begin + 1 && path.segments()[begin].kind != Kind::kMany;
     }
   };
 
-  /// INVALID_ARGUMENT if it is not in the grammar.
+  /// INVALID_ARGUMENT if the text does not follow the grammar.
   static Result<PathTemplate> Parse(std::string_view text);
 
-  /// Values of the variables in their order, percent-decoded ("%2F" stays in values of several segments); nothing if
-  /// the path does not match. A ':' in the last segment starts a verb: a plain one is written "%3A".
+  /// Values of the variables in order, percent-decoded ("%2F" stays in values of several segments); nothing if the path
+  /// does not match. A ':' in the last segment starts a verb; write "%3A" for a plain colon.
   [[nodiscard]] std::optional<std::vector<std::string>> Match(std::string_view encoded_path) const;
 
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }

@@ -15,7 +15,7 @@ namespace {
 
 using grpc::ByteBuffer;
 
-/// The buffer takes the string over, without a copy.
+/// The buffer owns the string; no copy.
 ByteBuffer ToBuffer(std::string bytes) {
   auto* owned = new std::string(std::move(bytes));
   const grpc::Slice slice(
@@ -57,7 +57,7 @@ class CallCounter {
   int num_active_ DHPMAP_GUARDED_BY(mutex_) = 0;
 };
 
-/// Counts while it lives. The first member of a call, so that it goes last.
+/// Counts itself while it lives. The first member of a call, so destroyed last.
 class CountedCall {
  public:
   explicit CountedCall(std::shared_ptr<CallCounter> counter) : counter_(std::move(counter)) { counter_->Add(); }
@@ -69,7 +69,7 @@ class CountedCall {
   std::shared_ptr<CallCounter> counter_;
 };
 
-/// By time that only passes, whatever the system's clock is set to.
+/// By the monotonic clock, independent of changes of the system's clock.
 gpr_timespec DeadlineIn(std::chrono::nanoseconds timeout) {
   return gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC), gpr_time_from_nanos(timeout.count(), GPR_TIMESPAN));
 }
@@ -95,13 +95,13 @@ class GenericStreamCall final : public StreamCall, public grpc::ClientBidiReacto
   GenericStreamCall(std::shared_ptr<CallCounter> counter, std::shared_ptr<StreamListener> listener)
       : counted_(std::move(counter)), listener_(std::move(listener)) {}
 
-  /// `self` keeps this alive until gRPC is done with it.
+  /// `self` keeps this alive until gRPC has finished.
   void Start(grpc::GenericStub* stub, const CallOptions& options, std::shared_ptr<GenericStreamCall> self) {
     self_ = std::move(self);
     kept_ = options.kept;
     Prepare(options, &context_);
     stub->PrepareBidiStreamingCall(&context_, options.rpc_path, {}, this);
-    AddHold();  // because reads and sends start outside of gRPC's reactions
+    AddHold();  // because reads and sends start outside of gRPC's callbacks
     StartCall();
   }
 

@@ -21,19 +21,19 @@ struct CallOptions {
   std::string rpc_path;                                       ///< "/dhpmap.v1.MapService/GetMap"
   std::vector<std::pair<std::string, std::string>> metadata;  ///< lower-case keys, printable ASCII values
   std::optional<std::chrono::nanoseconds> timeout;
-  std::shared_ptr<const void> kept;  ///< as long as the call goes on
+  std::shared_ptr<const void> kept;  ///< kept alive until the call ends
 };
 
 /// A running unary RPC.
 class UnaryCall {
  public:
   virtual ~UnaryCall() = default;
-  /// The call ends soon with CANCELLED, if it has not ended. Thread-safe.
+  /// Makes the call end soon with CANCELLED, if it is still running. Thread-safe.
   virtual void Cancel() = 0;
 };
 
-/// Who hears of a streaming RPC, on gRPC's threads: one call of OnMessage or OnReadEnd a Read, of OnSent a Send, and at
-/// the very end one of OnDone.
+/// Receives the events of a streaming RPC on gRPC's threads: one OnMessage or OnReadEnd for each Read, one OnSent for
+/// each Send, and finally one OnDone.
 class StreamListener {
  public:
   virtual ~StreamListener() = default;
@@ -43,17 +43,16 @@ class StreamListener {
   virtual void OnDone(RpcStatus status) = 0;
 };
 
-/// A running streaming RPC, in either or both directions. Of reads and of sends one each may be under way. It cannot
-/// end before Read has led to OnReadEnd and Finish has been called: keep reading, after Cancel as well. Not thread-safe
-/// but for Cancel.
+/// A running streaming RPC, in either or both directions. At most one Read and one Send may be pending. The call cannot
+/// end before OnReadEnd and Finish: keep reading, also after Cancel. Not thread-safe, except Cancel.
 class StreamCall {
  public:
   virtual ~StreamCall() = default;
   virtual void Read() = 0;
   virtual void Send(std::string message) = 0;
-  /// Half-closes; only once, when no Send is under way.
+  /// Half-closes; once only, when no Send is pending.
   virtual void SendEnd() = 0;
-  /// Promises that nothing but Cancel follows; OnDone comes after it.
+  /// Promises that only Cancel follows; OnDone comes after it.
   virtual void Finish() = 0;
   virtual void Cancel() = 0;
 };
@@ -70,7 +69,7 @@ class RpcCaller {
   /// The listener is kept until OnDone has returned.
   std::shared_ptr<StreamCall> StartStream(const CallOptions& options, std::shared_ptr<StreamListener> listener);
 
-  /// Waits until no RPC is running, at most so long. False if some still are.
+  /// Waits until no RPC is running, at most `timeout`. False if some still are.
   bool WaitUntilIdle(std::chrono::milliseconds timeout);
 
  private:

@@ -17,32 +17,32 @@ class RpcCaller;
 class SharedAnswers;
 struct RpcRequest;
 
-/// What exchanges work with; outlives them.
+/// What exchanges use; must outlive them.
 struct RpcBackend {
   RpcCaller* caller;
-  /// For making JSON of large messages and messages of large JSON, which takes milliseconds: neither the connections'
-  /// thread nor gRPC's does it, so that what is small never waits for it.
+  /// Converts large messages to and from JSON, which takes milliseconds. Neither the connections' thread nor gRPC's
+  /// does it, so that small requests do not wait for it.
   Lane* bulk;
-  /// For streams of events; null: each makes its own.
+  /// For event streams; null: each stream makes its own messages.
   SharedAnswers* shared = nullptr;
-  /// For large messages of what clients stream: frames do not wait for what others ask for. Null: `bulk`.
+  /// For large messages of client streams, so that frames do not wait for other calls. Null: `bulk`.
   Lane* frames = nullptr;
-  /// For pages of the gateway's own that take a while, whatever the others have to do. Null: they are made at once.
+  /// For slow pages of the gateway, independent of the other work. Null: they are made at once.
   Lane* pages = nullptr;
 };
 
-/// More than that, in bytes, is large. What is small takes a fraction of a millisecond, less than another thread may
-/// take to wake up.
+/// Size in bytes above which a message is large. Smaller ones take a fraction of a millisecond, less than another
+/// thread may take to wake up.
 inline constexpr std::size_t kMostQuickBytes = 16u << 10;
 
-/// Both keep what they hold of bodies and answers within `share`: TOO_MANY_BYTES, 429, where it cannot grow.
+/// Both keep the bytes of bodies and answers within `share`: TOO_MANY_BYTES, 429, when it cannot grow.
 
 /// Collects the body, makes one call, answers with its response.
 std::shared_ptr<http::Exchange> MakeUnaryExchange(RpcRequest request, ByteShare share, RpcBackend backend,
                                                   std::shared_ptr<http::Responder> responder);
 
-/// For streams in either direction: messages go to the RPC as they arrive, and answers to the client as they come; each
-/// side waits for the other. Answers are NDJSON, length-delimited messages, or the parts of a file put together.
+/// For streams in either direction. Forwards messages to the RPC and answers to the client as they arrive, with
+/// back-pressure both ways. Answers are NDJSON, length-delimited messages, or the parts of a file put together.
 std::shared_ptr<http::Exchange> MakeStreamExchange(RpcRequest request, ByteShare share, RpcBackend backend,
                                                    std::shared_ptr<http::Responder> responder);
 

@@ -15,7 +15,7 @@ bool HasBody(const http::RequestHead& head) {
   return head.content_length.value_or(0) > 0 || !http::FindHeader(head.headers, "transfer-encoding").empty();
 }
 
-/// The last path value with only harmless characters: "maps/home/submaps/3" -> "maps_home_submaps_3".
+/// The last path value with unsafe characters replaced: "maps/home/submaps/3" -> "maps_home_submaps_3".
 std::string FileStem(const RouteMatch& match) {
   std::string stem = match.values.empty() ? std::string() : match.values.back().substr(0, 128);
   std::replace_if(

@@ -7,7 +7,7 @@
 
 namespace dhpmap::gateway {
 
-/// What an RPC ended with: code, message, and google.rpc.Status in wire form (or nothing) as gRPC carries it.
+/// The final status of an RPC: code, message, and google.rpc.Status in wire form (or empty) as gRPC carries it.
 struct RpcStatus {
   int code = 0;
   std::string message;
@@ -16,7 +16,7 @@ struct RpcStatus {
   [[nodiscard]] bool ok() const { return code == 0; }
 };
 
-/// With reason as google.rpc.ErrorInfo and violations as google.rpc.BadRequest.
+/// With the reason as google.rpc.ErrorInfo and violations as google.rpc.BadRequest.
 RpcStatus ToRpcStatus(const Status& status);
 
 }  // namespace dhpmap::gateway

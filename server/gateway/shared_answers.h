@@ -10,8 +10,8 @@
 
 namespace dhpmap::gateway {
 
-/// The last message of events in each format, as it was written: of the many who follow a map, each gets the same at
-/// about the same time, and only the first waits for it to be made. Thread-safe.
+/// Caches the last event message in each format. The clients that follow a map get the same message at about the same
+/// time; only the first waits for its conversion. Thread-safe.
 class SharedAnswers {
  public:
   /// See ToStreamAnswer.

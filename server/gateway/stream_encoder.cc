@@ -13,7 +13,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-/// A header value: no control characters, so that nothing can end the header early.
+/// Replaces control characters, so that a value cannot end its header early.
 std::string HeaderValue(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < 0x20 || c == 0x7F; }, ' ');
@@ -39,7 +39,7 @@ http::Headers StreamEncoder::EmptyHead() const {
     return {{"Content-Type", std::string(format_ == AnswerFormat::kProtobuf ? kProtobufType : kJsonType)}};
   }
   if (format_ == AnswerFormat::kEvents) {
-    // Nobody on the way may keep events, or keep them back.
+    // Proxies must neither store nor buffer events.
     return {{"Content-Type", std::string(kEventsType)}, {"Cache-Control", "no-store"}, {"X-Accel-Buffering", "no"}};
   }
   return {{"Content-Type", std::string(format_ == AnswerFormat::kProtobuf ? kProtobufStreamType : kNdjsonType)}};
@@ -77,7 +77,7 @@ Result<StreamPart> StreamEncoder::EncodeFile(const std::string& bytes) {
     const std::string etag = EtagOfVariant(file.etag, is_gzip());
     part.head = StreamHead{FileHead(std::move(file.type), file_stem_), etag, std::nullopt};
     if (!etag.empty()) {
-      // To be kept, and asked about each time.
+      // Caches may store it, but must revalidate each time.
       part.head->headers.emplace_back("ETag", '"' + etag + '"');
       part.head->headers.emplace_back("Cache-Control", "no-cache");
     }

@@ -18,12 +18,12 @@
 namespace dhpmap::gateway {
 namespace {
 
-/// Answers kept while the connection is busy, before the RPC has to wait. More while the body is still coming: a client
-/// that reads only after it has sent everything must not block itself.
+/// Bytes of answers to buffer while the connection is busy, before the RPC has to wait. The limit is higher while the
+/// body is still arriving: a client that reads only after it has sent everything must not block itself.
 constexpr std::size_t kWindow_bytes = 256u << 10;
 constexpr std::size_t kWindowWhileReceiving_bytes = 16u << 20;
 
-/// The error of one message, saying which it was.
+/// The error with the number of the message that caused it.
 Status Numbered(std::int64_t message, const Status& error) {
   Status numbered(error.code(), "message " + std::to_string(message) + ": " + error.message());
   numbered.WithReason(error.reason());
@@ -31,8 +31,8 @@ Status Numbered(std::int64_t message, const Status& error) {
   return numbered;
 }
 
-/// All members are used on the connection's sequence of execution, but for the request, which stays as it is, and the
-/// encoder: that is whose the message is, gRPC's or the lane's, one at a time.
+/// Members are used on the connection's sequence of execution, except the request, which is constant, and the encoder:
+/// it is used by the thread that holds the current message, gRPC's or the lane's, one at a time.
 class StreamExchange final : public http::Exchange,
                              public StreamListener,
                              public std::enable_shared_from_this<StreamExchange> {
@@ -46,14 +46,14 @@ class StreamExchange final : public http::Exchange,
         encoder_(*request_.route, request_.answer_format, request_.file_stem, backend_.shared, request_.accept,
                  request_.takes_gzip) {}
 
-  // From the connection.
+  // Called by the connection.
   bool OnBody(std::string_view data) override;
   void OnBodyEnd() override;
   void OnWritten() override;
   void OnPeerEnded() override;
   void OnClosed() override;
 
-  // From gRPC, on its threads.
+  // Called by gRPC, on its threads.
   void OnMessage(std::string message) override {
     if (message.size() <= kMostQuickBytes) return Encode(message);
     backend_.bulk->Post([self = shared_from_this(), message = std::move(message)] { self->Encode(message); });
@@ -102,34 +102,34 @@ class StreamExchange final : public http::Exchange,
   void EndIfDone();
 
   const RpcRequest request_;
-  ByteShare share_;  // of what is kept of the body, and of the answer
+  ByteShare share_;  // of the buffered parts of body and answer
   const RpcBackend backend_;
   const std::shared_ptr<http::Responder> responder_;
 
   MessageSplitter splitter_;
   std::uint64_t num_received_bytes_ = 0;
-  std::optional<std::string> first_;  // complete, but it is not known yet whether others follow
+  std::optional<std::string> first_;  // complete, but more messages may follow
   StreamEncoder encoder_;
-  std::shared_ptr<LaneTask> converting_;  // a large message; null: there is none
-  std::size_t converting_bytes_ = 0;      // of its body, until that is gone
+  std::shared_ptr<LaneTask> converting_;  // a large message; null: none
+  std::size_t converting_bytes_ = 0;      // bytes of its body while it is held
   std::shared_ptr<StreamCall> call_;
   StateMachine<Sending> sending_{Sending::kIdle};
   std::int64_t num_messages_ = 0;
 
   StateMachine<Receiving> receiving_{Receiving::kNoCall};
-  RpcStatus final_;                  // once receiving is done
-  std::optional<Status> own_error_;  // what is wrong with the body, or with the RPC's answer
+  RpcStatus final_;                  // valid once receiving is done
+  std::optional<Status> own_error_;  // an error of the body, or of the RPC's answer
 
   StateMachine<Answering> answering_{Answering::kNone};
   http::Response head_;
   std::optional<std::uint64_t> length_;  // of the file
-  std::string pending_;                  // encoded, not handed to the connection yet
-  std::size_t writing_bytes_ = 0;        // handed to the connection, not written yet
+  std::string pending_;                  // encoded, not yet passed to the connection
+  std::size_t writing_bytes_ = 0;        // passed to the connection, not yet written
   std::uint64_t num_answered_bytes_ = 0;
 };
 
 bool StreamExchange::OnBody(std::string_view data) {
-  if (answering_.Is(Answering::kEnded) || sending_.Is(Sending::kEnded)) return true;  // the rest is let go
+  if (answering_.Is(Answering::kEnded) || sending_.Is(Sending::kEnded)) return true;  // drop the rest
   splitter_.Add(data);
   num_received_bytes_ += data.size();
   if (request_.announced_bytes > 0 && num_received_bytes_ >= request_.announced_bytes) splitter_.AddEnd();
@@ -157,7 +157,7 @@ void StreamExchange::StartCall(bool is_one_message) {
   ReadMore();
 }
 
-/// Sends the next message, or the end, if there is one and the last has gone.
+/// Sends the next message or the half-close, if the previous one has been sent.
 void StreamExchange::Pump() {
   if (!sending_.Is(Sending::kIdle) || SendNext()) return;
   if (splitter_.is_too_large()) {
@@ -174,8 +174,8 @@ void StreamExchange::Pump() {
   }
 }
 
-/// Nothing if there is none yet. Of a body that should be one value, the first waits until it is clear whether it is
-/// the only one: then the answer is one, too.
+/// Nothing if no message is complete. If the body should be one value, the first message waits until it is known to be
+/// the only one: then the answer is a single value, too.
 std::optional<std::string> StreamExchange::NextMessage() {
   auto message = first_ ? std::exchange(first_, std::nullopt) : splitter_.Next();
   const bool is_unclear = request_.is_one_value && request_.route->client_streams() && !call_ && !splitter_.ended() &&
@@ -187,14 +187,14 @@ std::optional<std::string> StreamExchange::NextMessage() {
   return message;
 }
 
-/// False if there is no complete message; true if one is on its way, or was no good.
+/// False if there is no complete message; true if one is being sent, or was invalid.
 bool StreamExchange::SendNext() {
   auto body = NextMessage();
   if (!body) return false;
   ++num_messages_;
   const bool is_only = !call_ && splitter_.ended() && splitter_.has_nothing_left();
   sending_.To(Sending::kBusy);
-  // Parts of a file have a bound, and are only copied.
+  // Parts of a file are bounded and only copied.
   const bool is_quick = body->size() <= kMostQuickBytes || request_.body_format == BodyFormat::kFile;
   if (is_quick) {
     Send(MakeMessage(*body), is_only);
@@ -226,7 +226,7 @@ void StreamExchange::ConvertOnLane(std::string body, bool is_only) {
   });
   const bool is_frame = request_.route->rpc_path.ends_with("/IntegrateFrames");
   Lane* const lane = is_frame && backend_.frames != nullptr ? backend_.frames : backend_.bulk;
-  lane->Post(converting_);  // one a stream
+  lane->Post(converting_);  // at most one per stream
 }
 
 void StreamExchange::Converted(Result<std::string> message, bool is_only) {
@@ -236,7 +236,7 @@ void StreamExchange::Converted(Result<std::string> message, bool is_only) {
   if (!sending_.Is(Sending::kEnded)) Send(std::move(message), is_only);
 }
 
-/// The next message, as the RPC takes it, or what is wrong with it. `is_only`: there are no others.
+/// Sends the next message of the RPC, or stops with its error. `is_only`: the body has no others.
 void StreamExchange::Send(Result<std::string> message, bool is_only) {
   if (!message.ok()) {
     return StopSending(request_.route->client_streams() ? Numbered(num_messages_, message.status()) : message.status());
@@ -245,7 +245,7 @@ void StreamExchange::Send(Result<std::string> message, bool is_only) {
   call_->Send(std::move(*message));
 }
 
-/// The body is no good from here on. What the RPC took before stands: it ends in good order, then comes the error.
+/// The rest of the body is unusable. Messages that the RPC took before stand: half-close it, then report the error.
 void StreamExchange::StopSending(Status why) {
   own_error_ = std::move(why);
   EndSending();
@@ -257,7 +257,7 @@ void StreamExchange::StopSending(Status why) {
 
 void StreamExchange::Sent(bool ok) {
   if (sending_.Is(Sending::kEnded)) return;
-  if (!ok) return EndSending();  // the RPC has ended; its status says why
+  if (!ok) return EndSending();  // the RPC has ended; its status has the reason
   const bool was_held = sending_.Is(Sending::kBusyHeld);
   sending_.To(Sending::kIdle);
   if (answering_.Is(Answering::kEnded)) return;
@@ -267,7 +267,7 @@ void StreamExchange::Sent(bool ok) {
   responder_->ResumeBody();
 }
 
-/// Nothing more goes to the RPC: the rest of the body is read and let go.
+/// Sends nothing more to the RPC; the rest of the body is read and dropped.
 void StreamExchange::EndSending() {
   if (sending_.Is(Sending::kEnded)) return;
   if (converting_ && converting_->GiveUp()) {
@@ -279,7 +279,7 @@ void StreamExchange::EndSending() {
   if (was_held && !answering_.Is(Answering::kEnded)) responder_->ResumeBody();
 }
 
-/// Whether what is kept now is within the budget.
+/// Whether the buffered bytes fit into the budget.
 bool StreamExchange::FitsShare() {
   const std::size_t first_bytes = first_ ? first_->size() : 0;
   return share_.Resize(first_bytes + splitter_.buffered_bytes() + converting_bytes_ + pending_.size() + writing_bytes_);
@@ -308,7 +308,7 @@ void StreamExchange::Take(Result<StreamPart> part) {
     length_ = part->head->length;
   }
   num_answered_bytes_ += part->num_bytes;
-  if (length_ && num_answered_bytes_ > *length_) {  // the announced size was wrong: cut the answer off
+  if (length_ && num_answered_bytes_ > *length_) {  // the announced size was wrong: truncate the answer
     return Fail(Internal("the answer is larger than announced"));
   }
   if (answering_.Is(Answering::kNone)) {
@@ -325,7 +325,7 @@ void StreamExchange::Take(Result<StreamPart> part) {
   Deliver();
 }
 
-/// The client has it: the file is not made any further.
+/// The client has this file already: stops making it.
 void StreamExchange::NotModified(http::Headers headers) {
   answering_.To(Answering::kEnded);
   headers.emplace_back("X-Request-Id", RequestIdOf(request_.call));
@@ -355,7 +355,7 @@ void StreamExchange::OnWritten() {
   EndIfDone();
 }
 
-/// If the client is gone, the connection is reset when something is sent.
+/// If the client is gone, writing resets the connection.
 void StreamExchange::OnPeerEnded() {
   if (!answering_.Is(Answering::kIdle)) return;
   pending_ += encoder_.Silence();
@@ -372,7 +372,7 @@ void StreamExchange::Done(RpcStatus status) {
   receiving_.To(Receiving::kDone);
   call_.reset();
   if (answering_.Is(Answering::kEnded)) return;
-  // Not ours to overrule what the RPC itself found wrong, unless we made it fail.
+  // An error of the RPC itself takes precedence, unless our cancellation caused it.
   const bool ours = own_error_ && (status.ok() || status.code == static_cast<int>(StatusCode::kCancelled));
   final_ = ours ? ToRpcStatus(*own_error_) : std::move(status);
   if (!ours) own_error_.reset();
@@ -408,7 +408,7 @@ void StreamExchange::OnClosed() {
   std::string().swap(pending_);
   if (!call_) return;
   call_->Cancel();
-  ReadMore();  // until the end of reads: the RPC cannot go before
+  ReadMore();  // until OnReadEnd: the RPC cannot end before
 }
 
 }  // namespace

@@ -3,14 +3,14 @@
 
 namespace dhpmap::gateway {
 
-// A stream is three flows beside each other, each with its own state.
+// A stream has three independent flows, each with its own state.
 
 /// Messages of the body, to the RPC.
 enum class Sending {
-  kIdle,      ///< the next message may go
-  kBusy,      ///< one is being converted, or on its way
-  kBusyHeld,  ///< the same, and the connection reads no more of the body until it has gone
-  kEnded,     ///< half-closed, or never to send again
+  kIdle,      ///< the next message may be sent
+  kBusy,      ///< a message is being converted or sent
+  kBusyHeld,  ///< the same, and the connection does not read the body meanwhile
+  kEnded,     ///< half-closed, or sending was given up
 };
 
 constexpr bool IsLegal(Sending from, Sending to) {
@@ -23,13 +23,13 @@ constexpr bool IsLegal(Sending from, Sending to) {
   return false;
 }
 
-/// Messages of the RPC, to us.
+/// Messages of the RPC, to the gateway.
 enum class Receiving {
   kNoCall,  ///< the RPC has not been started
-  kIdle,    ///< the next message may be asked for
-  kBusy,    ///< it has been asked for
-  kEnded,   ///< there are no more; the status is awaited
-  kDone,    ///< the status is known, or there never was a call
+  kIdle,    ///< the next message may be requested
+  kBusy,    ///< a message was requested
+  kEnded,   ///< no more messages; waiting for the status
+  kDone,    ///< the status is known, or no call was started
 };
 
 constexpr bool IsLegal(Receiving from, Receiving to) {
@@ -45,10 +45,10 @@ constexpr bool IsLegal(Receiving from, Receiving to) {
 
 /// The answer, to the client.
 enum class Answering {
-  kNone,   ///< not begun
-  kIdle,   ///< begun; the next part may go
-  kBusy,   ///< a part is on its way
-  kEnded,  ///< nothing more goes to the connection
+  kNone,   ///< not started
+  kIdle,   ///< started; the next part may be written
+  kBusy,   ///< a part is being written
+  kEnded,  ///< nothing more is written
 };
 
 constexpr bool IsLegal(Answering from, Answering to) {

@@ -24,7 +24,7 @@ bool Parse(std::string_view bytes, Message* message) {
   return message->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
 }
 
-/// "1,2,3" counts as three values where a comma cannot be part of one.
+/// Whether "1,2,3" means three values: only if a value cannot contain a comma.
 bool IsListOfPlainValues(const FieldDescriptor& field) {
   return field.is_repeated() && field.message_type() == nullptr && field.cpp_type() != FieldDescriptor::CPPTYPE_STRING;
 }
@@ -43,7 +43,7 @@ const FieldDescriptor* EtagOf(const Descriptor& type) {
   return field != nullptr && !field->is_repeated() && field->type() == FieldDescriptor::TYPE_STRING ? field : nullptr;
 }
 
-/// Where the RPC's request takes an etag; empty if nowhere.
+/// The field of the RPC's request that takes an etag; empty if there is none.
 json::FieldPath EtagFieldOf(const Route& route) {
   if (const FieldDescriptor* own = EtagOf(*route.method->input_type())) return {own};
   if (route.body_field == nullptr || route.body_field->message_type() == nullptr) return {};
@@ -71,7 +71,7 @@ Result<RequestTranscoder> RequestTranscoder::Make(RouteMatch match, std::string_
 Status RequestTranscoder::SetIfMatch(std::string_view header) {
   const bool is_there = header.data() != nullptr;
   if (!is_there || header == "*") return Status::Ok();
-  constexpr std::size_t kLeast = 3;  // an empty tag would be taken for none
+  constexpr std::size_t kLeast = 3;  // an empty tag would mean no precondition
   if (header.size() < kLeast || header.front() != '"' || header.find('"', 1) != header.size() - 1) {
     return InvalidArgument("header If-Match must be one entity tag in double quotes, or *").WithReason("BAD_HEADER");
   }

@@ -24,26 +24,26 @@ std::unique_ptr<google::protobuf::Message> NewMessage(const google::protobuf::De
 /// Makes the messages of one request from its bodies, path and query. Thread-compatible.
 class RequestTranscoder {
  public:
-  /// INVALID_ARGUMENT for a broken query or path escape. `match.route` must outlive this.
+  /// INVALID_ARGUMENT for an invalid escape in query or path. `match.route` must outlive this.
   static Result<RequestTranscoder> Make(RouteMatch match, std::string_view query);
 
-  /// The header If-Match, as the etag that the RPC's request takes, itself or in its body's field. None, as FindHeader
-  /// tells it, or "*": none. INVALID_ARGUMENT if it is not one strong entity tag that is not empty, or the RPC takes
-  /// none.
+  /// Passes the header If-Match on as the etag of the RPC's request, or of its body's field. A missing header, as
+  /// FindHeader returns it, or "*" sets none. INVALID_ARGUMENT if it is not one strong, non-empty entity tag, or the
+  /// RPC takes no etag.
   Status SetIfMatch(std::string_view header);
 
-  /// The header Last-Event-ID, as the request's `resume_after` where the route has events: it counts before the URL's,
-  /// since a browser that connects again sends the same URL.
+  /// Passes the header Last-Event-ID on as `resume_after`, if the route has events. It overrides the URL, because a
+  /// browser reconnects with the same URL.
   void SetLastEventId(std::string_view header);
 
-  /// Size of the file that the body is, where it is known: `total_bytes` of the request, if it has that and no more is
-  /// said of it.
+  /// Sets the size of the file in the body: `total_bytes` of the request, if that field exists and is not set
+  /// otherwise.
   void SetFileSize(std::uint64_t num_bytes) { file_bytes_ = num_bytes; }
 
-  /// One body, or one message of it, as the wire form of the RPC's request. What the path says wins over the body;
-  /// query parameters fill the rest; a PATCH without update_mask gets the paths that its JSON body sets, less those in
-  /// the path and the etag (a precondition, not a change). INVALID_ARGUMENT names the field or the place in the text.
-  /// `ask` is asked for all that is held beside the body, before it is: a short body may be a large message.
+  /// Converts one body, or one message of it, to the wire form of the RPC's request. Path values override the body, and
+  /// query parameters fill the rest. A PATCH without update_mask gets the paths that its JSON body sets, except those
+  /// in the path and the etag (a precondition, not a change). INVALID_ARGUMENT names the field or the position in the
+  /// text. Asks `ask` before it allocates memory besides the body: a short body may become a large message.
   [[nodiscard]] Result<std::string> ToRequest(BodyFormat format, std::string_view body,
                                               const json::AskRoom& ask = nullptr) const;
 
@@ -68,14 +68,14 @@ class RequestTranscoder {
   std::uint64_t file_bytes_ = 0;
 };
 
-/// The wire form of a response as a body. INTERNAL if it is not a message of the RPC's type.
+/// Converts the wire form of a response to a body. INTERNAL if it is not a message of the RPC's type.
 Result<std::string> ToAnswer(const Route& route, std::string response, AnswerFormat format);
 
-/// One message of a stream: a line {"result":...}, the message after its length, or an event: with the position as its
-/// `id`, and the kind of event as its name; one that has no fields is a comment.
+/// One message of a stream: a line {"result":...}, a length-delimited message, or a server-sent event, with the
+/// position as `id` and the kind of event as name. An event without fields is a comment.
 Result<std::string> ToStreamAnswer(const Route& route, std::string_view response, AnswerFormat format);
 
-/// The varint that goes before a message of `size` bytes.
+/// Appends `size` as a varint, the prefix of a length-delimited message.
 void AppendVarint(std::uint64_t size, std::string* out);
 
 }  // namespace dhpmap::gateway

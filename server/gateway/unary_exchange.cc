@@ -18,7 +18,7 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
  public:
   UnaryExchange(RpcRequest request, ByteShare share, RpcBackend backend, std::shared_ptr<http::Responder> responder)
       : request_(std::move(request)), share_(std::move(share)), backend_(backend), responder_(std::move(responder)) {
-    body_.reserve(share_.bytes());  // what its head announced: as it grew, it would be there twice
+    body_.reserve(share_.bytes());  // the announced size; growing would hold two copies
   }
 
   bool OnBody(std::string_view data) override {
@@ -45,7 +45,7 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
       auto message = self->MakeMessage(std::move(body));
       self->responder_->Post([self, message = std::move(message)]() mutable { self->Start(std::move(message)); });
     });
-    backend_.bulk->Post(parsing_);  // one a connection
+    backend_.bulk->Post(parsing_);  // at most one per connection
   }
 
   void OnWritten() override {}
@@ -57,7 +57,7 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
   }
 
  private:
-  /// On any thread. The body is gone when it returns.
+  /// On any thread. Frees the body before it returns.
   [[nodiscard]] Result<std::string> MakeMessage(std::string body) const {
     BodyRoom room(share_.Another(), body.size());
     return Guarded<Result<std::string>>([&] {
@@ -81,7 +81,7 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
         });
   }
 
-  /// On any thread but the connection's, which stays free while JSON is made.
+  /// On any thread except the connection's, so that making JSON does not block that.
   void Ended(const RpcStatus& status, std::string response) {
     responder_->Post([self = shared_from_this(), answer = AnswerOrWhyNot(status, std::move(response))]() mutable {
       if (self->finished_) return;
@@ -131,11 +131,11 @@ class UnaryExchange final : public http::Exchange, public std::enable_shared_fro
   }
 
   const RpcRequest request_;
-  ByteShare share_;  // of the body, the message, then the answer until it is written; not the connection's in between
+  ByteShare share_;  // of the body, the message, then the answer until it is written
   const RpcBackend backend_;
   const std::shared_ptr<http::Responder> responder_;
   std::string body_;
-  std::shared_ptr<LaneTask> parsing_;  // of a large body; null: there is none
+  std::shared_ptr<LaneTask> parsing_;  // of a large body; null: none
   std::shared_ptr<UnaryCall> call_;
   bool finished_ = false;
 };

@@ -18,7 +18,7 @@ constexpr std::string_view kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// For a browser, which names HTML first; "*/*", which curl sends, is anything.
+/// Browsers ask for HTML; curl sends "*/*".
 bool IsBrowser(std::string_view accept) { return accept.find(kHtml) != std::string_view::npos; }
 
 http::Response Redirect() {

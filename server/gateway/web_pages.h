@@ -8,9 +8,9 @@
 
 namespace dhpmap::gateway {
 
-/// The viewer, at /ui/: its files as they are in the program, with an ETag each, and a Content-Security-Policy that
-/// lets the page load and ask nothing but this server, and run no script but its own. Nothing for another path; a
-/// redirect from /ui, and from / for who asks for HTML: a browser. Pure, thread-safe.
+/// The viewer at /ui/: embedded files, each with an ETag, and a Content-Security-Policy that restricts the page to
+/// requests to this server and to its own scripts. Redirects /ui, and / for browsers (those that ask for HTML). Nothing
+/// for other paths. Pure, thread-safe.
 std::optional<http::Response> WebPage(const http::RequestHead& head, std::string_view path);
 
 }  // namespace dhpmap::gateway

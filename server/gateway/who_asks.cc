@@ -11,7 +11,8 @@ namespace dhpmap::gateway {
 
 namespace {
 
-/// A name that browsers take over a secure connection, or from this machine, alone, and for this server alone.
+/// The prefix makes browsers accept the cookie only over a secure connection, or from this machine, and send it to this
+/// host only.
 constexpr std::string_view kCookie = "__Host-dhpmap";
 
 std::vector<std::string_view> ValuesOf(const http::RequestHead& head, std::string_view wanted) {
@@ -22,7 +23,7 @@ std::vector<std::string_view> ValuesOf(const http::RequestHead& head, std::strin
   return values;
 }
 
-/// "a=1; __Host-dhpmap=..." -> what ours are.
+/// "a=1; __Host-dhpmap=..." -> the values of our cookies.
 std::vector<std::string_view> LoginsOf(const http::RequestHead& head) {
   std::vector<std::string_view> words;
   for (std::string_view left : ValuesOf(head, "cookie")) {
@@ -41,7 +42,7 @@ std::vector<std::string_view> LoginsOf(const http::RequestHead& head) {
 
 bool IsFromOwnPage(const http::RequestHead& head) {
   if (head.is_from_foreign_page) return false;
-  // Browsers that say it know it best: a page of another port of our host is none of ours.
+  // Prefer sec-fetch-site where browsers send it: a page at another port of this host is foreign.
   const std::string_view site = http::FindHeader(head.headers, "sec-fetch-site");
   return site.empty() ? !http::FindHeader(head.headers, "origin").empty() : site == "same-origin";
 }
@@ -75,7 +76,7 @@ Result<auth::PrincipalPtr> WhoAsks(auth::Gate& gate, const http::RequestHead& he
 
 http::Response LogIn(auth::Gate& gate, const http::RequestHead& head) {
   if (head.is_from_foreign_page) return ErrorResponse(ForeignPage(), AnswerFormat::kAny);
-  // Who is logged in already may do so again, as another.
+  // A login while logged in replaces the principal.
   auto principal = gate.AuthenticateFrom(head.peer_key, ValuesOf(head, "authorization"));
   Status counted = principal.ok() ? gate.Count(**principal) : principal.status();
   const Status written = gate.Audit(
@@ -93,7 +94,7 @@ http::Response LogOut(auth::Gate& gate, const http::RequestHead& head) {
 
 Status CheckNoKeyInUrl(std::string_view query) {
   const auto pairs = http::ParseQuery(query);
-  if (!pairs) return Status::Ok();  // told where it is read
+  if (!pairs) return Status::Ok();  // reported where the query is parsed
   for (const auto& [name, value] : *pairs) {
     if (name != "access_token" && !value.starts_with("dhp_")) continue;
     return InvalidArgument(

@@ -8,20 +8,20 @@
 
 namespace dhpmap::gateway {
 
-/// Who sends a request, by its header Authorization, or by the cookie of a login; errors as of Gate::Authenticate.
-/// Browsers send cookies unasked: with one, PERMISSION_DENIED, reason FOREIGN_ORIGIN, unless the browser says that a
-/// page of this server sends it, whether it reads or writes.
+/// Authenticates a request by its Authorization header or login cookie; errors as in Gate::Authenticate. Browsers send
+/// cookies unasked, so a request with a cookie gets PERMISSION_DENIED, reason FOREIGN_ORIGIN, unless the browser states
+/// that a page of this server sent it; this holds for reads, too.
 Result<auth::PrincipalPtr> WhoAsks(auth::Gate& gate, const http::RequestHead& head);
 
-/// POST /ui/login with a key in Authorization: 204 and a cookie in its place. POST /ui/logout ends it.
+/// POST /ui/login with a key in Authorization: 204, with a cookie in place of the key. POST /ui/logout ends the login.
 http::Response LogIn(auth::Gate& gate, const http::RequestHead& head);
 http::Response LogOut(auth::Gate& gate, const http::RequestHead& head);
 inline constexpr std::string_view kLogInPath = "/ui/login", kLogOutPath = "/ui/logout";
 
-/// INVALID_ARGUMENT, reason TOKEN_IN_URL, for a key in the URL, which logs and histories would keep.
+/// INVALID_ARGUMENT, reason TOKEN_IN_URL, for a key in the URL: logs and browser histories would keep it.
 Status CheckNoKeyInUrl(std::string_view query);
 
-/// Has the call made for `principal`, in place of whatever key the client showed: it goes no further.
+/// Makes the call for `principal` by a ticket. Removes the client's key, so that it goes no further.
 void CallFor(auth::Gate& gate, auth::PrincipalPtr principal, CallOptions& call);
 
 }  // namespace dhpmap::gateway

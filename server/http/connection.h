@@ -17,34 +17,34 @@ enum class ReadOutcome {
   kTimedOut,
   kMalformed,
   kTooLarge,
-  kUnknownCoding,  ///< of a head: the body's Transfer-Encoding is none that we know, so its end is not known either
+  kUnknownCoding,  ///< of a head: the Transfer-Encoding is unknown, so the end of the body is, too
 };
 
 struct HeadResult {
   ReadOutcome outcome = ReadOutcome::kOk;
-  std::string problem;  ///< of kMalformed
+  std::string problem;  ///< for kMalformed
   RequestHead head;
   bool is_http_1_1 = true;
   bool keep_alive = true;
   bool has_body = false;
 };
 
-/// Hears of one connection, on its own sequence of execution; nothing after Connection::Close.
+/// Receives the events of one connection on its sequence of execution; none after Connection::Close.
 class ConnectionEvents {
  public:
   virtual ~ConnectionEvents() = default;
   virtual void OnHead(HeadResult head) = 0;
-  /// Answers ReadBody. `data` is valid during the call; `is_end`: that was all of the body.
+  /// Follows ReadBody. `data` is valid during the call; `is_end`: the body is complete.
   virtual void OnBodyData(ReadOutcome outcome, std::string_view data, bool is_end) = 0;
   virtual void OnWriteDone(bool ok) = 0;
-  /// The client sends nothing any more; it may still be waiting for its answer.
+  /// The client half-closed; it may still wait for its answer.
   virtual void OnPeerEnded() = 0;
-  /// The client is gone.
+  /// The client disconnected.
   virtual void OnPeerClosed() = 0;
 };
 
-/// One connection that speaks HTTP/1.1: reads requests, writes bytes. One read and one write may be under way. Call
-/// on the connection's sequence of execution only, but for Post.
+/// One HTTP/1.1 connection: reads requests, writes bytes. At most one read and one write may be pending. Call on the
+/// connection's sequence of execution only, except Post.
 class Connection {
  public:
   virtual ~Connection() = default;
@@ -53,17 +53,16 @@ class Connection {
   virtual void ReadHead() = 0;
   virtual void ReadBody() = 0;
   virtual void Write(std::string first, std::string second) = 0;
-  /// OnPeerEnded and OnPeerClosed; for when nothing is being read. A client that only stops sending looks like one that
-  /// has gone away, until something is written to it: `probe` is, from some time after its end up to the next Write.
+  /// Enables OnPeerEnded and OnPeerClosed while no read is pending. A half-closed client looks like one that is gone
+  /// until something is written to it. So after a half-close, `probe` is written repeatedly until the next Write.
   virtual void WatchPeer(std::string probe) = 0;
   virtual void StopWatching() = 0;
-  /// The client sees the end of the answer, and may still be sending.
+  /// Half-closes: the client sees the end of the answer, and may still send.
   virtual void CloseSending() = 0;
   virtual void Close() = 0;
-  /// The address that the client has connected to, without the port: "127.0.0.1", "::1";
-  /// empty behind a unix: address.
+  /// The address that the client connected to, without the port: "127.0.0.1", "::1"; empty for a unix: address.
   [[nodiscard]] virtual std::string local_address() const = 0;
-  /// Who the client is, as far as its connection proves it.
+  /// The client's identity, as far as the connection proves it.
   [[nodiscard]] virtual net::PeerIdentity peer() const { return {}; }
   virtual void Post(std::function<void()> task) = 0;
 };

@@ -24,7 +24,7 @@ std::vector<std::string_view> ValuesOf(const Headers& headers, std::string_view 
   return values;
 }
 
-/// What "http://host:port/path" names before its path; empty for the origin form ("/path").
+/// The authority in "http://host:port/path"; empty for the origin form ("/path").
 std::string_view AuthorityOfTarget(std::string_view target) {
   const std::size_t scheme = target.find("://");
   if (scheme == std::string_view::npos || target.front() == '/') return {};
@@ -32,7 +32,7 @@ std::string_view AuthorityOfTarget(std::string_view target) {
   return target.substr(0, target.find_first_of("/?#"));
 }
 
-/// What a request is addressed to: the target says it before Host does (RFC 9112, 3.2.2).
+/// The authority that a request addresses: the target takes precedence over Host (RFC 9112, 3.2.2).
 std::string_view AuthorityOf(const RequestHead& head) {
   const std::string_view of_target = AuthorityOfTarget(head.target);
   return of_target.empty() ? FindHeader(head.headers, "host") : of_target;
@@ -107,7 +107,7 @@ bool HostNames::IsFromForeignPage(const RequestHead& head, std::string_view loca
   if (!origin) return true;
   if (IsAllowed(origin->host)) return false;
   if (!IsOurs(origin->host, local_address)) return true;
-  // Another server on this machine has our name, too, but another port.
+  // Another server on this machine has the same host, but another port.
   const auto addressed = SplitAuthority(AuthorityOf(head));
   return !addressed || !EqualsIgnoringCase(addressed->host, origin->host) ||
          WithoutDefaultPort(addressed->port) != WithoutDefaultPort(origin->port);

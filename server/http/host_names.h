@@ -13,25 +13,25 @@ namespace dhpmap::http {
 
 struct Authority {
   std::string_view host;  ///< a name or an address, without brackets
-  std::string_view port;  ///< empty if there is none
+  std::string_view port;  ///< empty if missing
 };
 
-/// "host", "host:port", "[::1]:port". Nothing for anything else.
+/// "host", "host:port", "[::1]:port". Nothing for any other form.
 std::optional<Authority> SplitAuthority(std::string_view text);
 
-/// The names by which a server may be called. A web page can make a browser send requests here under a name of its
-/// own (DNS rebinding), and from its own origin: neither is answered. Immutable, so thread-safe.
+/// The host names of a server. By DNS rebinding a web page can make a browser send requests here under a name of its
+/// own, or from its own origin: both are refused. Immutable, so thread-safe.
 class HostNames {
  public:
-  /// `bound_host` is what the server listens on; `allowed` are further names ("maps.example.com", without a port).
+  /// `bound_host`: the host it listens on; `allowed`: further names ("maps.example.com", without a port).
   HostNames(std::string bound_host, std::vector<std::string> allowed);
 
-  /// Of one request on a connection to `local_address`. INVALID_ARGUMENT for no Host (HTTP/1.0 may omit it), more than
-  /// one, or one that is malformed; PERMISSION_DENIED, reason HOST_NOT_ALLOWED, for a name that is not ours.
+  /// Checks the Host of a request on a connection to `local_address`. INVALID_ARGUMENT for a missing (HTTP/1.0 may omit
+  /// it), repeated or malformed Host; PERMISSION_DENIED, reason HOST_NOT_ALLOWED, for an unknown name.
   [[nodiscard]] Status Check(const RequestHead& head, bool is_http_1_1, std::string_view local_address) const;
 
-  /// A web page sent the request that is neither from this server nor from an allowed name. Of a request that Check
-  /// has passed.
+  /// Whether a web page sent the request that is neither of this server nor of an allowed name. The request must have
+  /// passed Check.
   [[nodiscard]] bool IsFromForeignPage(const RequestHead& head, std::string_view local_address) const;
 
  private:

@@ -38,14 +38,14 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using asio::ip::tcp;
 using beast::error_code;
-/// TCP, or the inner end of a connection that came through a net::Door.
+/// A TCP connection, or the inner end of one that came through a net::Door.
 using AnyStream = asio::generic::stream_protocol;
 using Socket = AnyStream::socket;
 
-constexpr std::chrono::seconds kProgressTimeout{60};   // a body or an answer that does not move
-constexpr std::chrono::milliseconds kFirstProbe{100};  // after the client's end: most answers are there before
+constexpr std::chrono::seconds kProgressTimeout{60};   // without progress of a body or an answer
+constexpr std::chrono::milliseconds kFirstProbe{100};  // after a half-close: most answers are ready before
 constexpr std::chrono::seconds kNextProbe{1};
-// A peer whose machine or network is gone is found out after some 25 s of silence, also while it is not written to.
+// Detects a dead peer or network after some 25 s of silence, also while nothing is written.
 constexpr int kFirstKeepalive_s = 10, kNextKeepalive_s = 5, kNumKeepalives = 3;
 constexpr std::size_t kFirstRead_bytes = 4u << 10;
 constexpr std::size_t kReadSize_bytes = 64u << 10;
@@ -60,7 +60,7 @@ void KeepAlive(int socket) {
   set(IPPROTO_TCP, TCP_KEEPCNT, kNumKeepalives);
 }
 
-/// Of a read from the socket.
+/// The outcome of a failed read.
 ReadOutcome OutcomeOf(const error_code& error) {
   return error == beast::error::timeout ? ReadOutcome::kTimedOut : ReadOutcome::kClosed;
 }
@@ -77,7 +77,7 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
         buffer_(RequestParser::kMaxHead_bytes + kReadSize_bytes) {
     error_code ignored;
     stream_.socket().set_option(tcp::no_delay(true), ignored);
-    stream_.socket().non_blocking(true, ignored);  // or peeking might block
+    stream_.socket().non_blocking(true, ignored);  // else peeking might block
     KeepAlive(stream_.socket().native_handle());
   }
 
@@ -112,7 +112,7 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
   }
 
   void WatchPeer(std::string probe) override {
-    if (buffer_.size() > 0) return;  // the next request is here already: its end is not the client's
+    if (buffer_.size() > 0) return;  // the next request has arrived: the client has not half-closed
     probe_ = std::move(probe);
     watching_ = true;
     const int watch = ++watch_;
@@ -155,7 +155,7 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Not from within the call: the answers to many small parts would be stacked up inside of each other.
+  /// Posts `work` instead of calling it: answers to many small parts would nest and exhaust the stack.
   template <typename Work>
   void Later(Work work) {
     Post([self = shared_from_this(), work] {
@@ -163,7 +163,7 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
     });
   }
 
-  /// `done` or `failed` hears of it, unless the connection has been closed meanwhile.
+  /// Calls `done` or `failed`, unless the connection was closed meanwhile.
   template <typename Done, typename Failed>
   void ReadSome(std::size_t num_bytes, Done done, Failed failed) {
     stream_.async_read_some(buffer_.prepare(num_bytes),
@@ -214,7 +214,7 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
         [](BeastConnection& self, ReadOutcome outcome) { self.events()->OnBodyData(outcome, {}, false); });
   }
 
-  /// No more comes from the client. If it is gone, the connection is reset as soon as something is sent.
+  /// The client half-closed. If it is gone, the next write resets the connection.
   void PeerEnded(int watch) {
     stream_.socket().async_wait(tcp::socket::wait_error, [self = shared_from_this(), watch](error_code error) {
       if (!error && watch == self->watch_ && self->events_) self->events()->OnPeerClosed();
@@ -264,7 +264,7 @@ class BeastConnection final : public Connection, public std::enable_shared_from_
   std::string first_, second_;
   std::array<asio::const_buffer, 2> to_write_;
   bool watching_ = false;
-  int watch_ = 0;  // which watch: a cancelled one may still report
+  int watch_ = 0;  // number of the current watch: a cancelled one may still report
   std::shared_ptr<ConnectionEvents> events_;
 };
 
@@ -289,12 +289,12 @@ struct Listener::Impl {
   const ListenerOptions options;
   const ListenerEvents events;
   asio::io_context io;
-  // Calls that outlast their connections still report through the threads.
+  // Calls that outlast their connections still post to the threads.
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
-  tcp::acceptor acceptor;  // used on its strand only, once the threads run
+  tcp::acceptor acceptor;  // on its strand only, once the threads run
   asio::steady_timer retry;
   net::ReserveDescriptor reserve;
-  std::unique_ptr<net::Door> door;  // if there is one, nothing is accepted here
+  std::unique_ptr<net::Door> door;  // if set, nothing is accepted here
   int port = 0;
   std::vector<std::thread> threads;
 };
@@ -323,7 +323,7 @@ Status Listener::Impl::Bind(const asio::ip::address& ip, std::uint16_t wanted_po
 }
 
 Status Listener::Impl::OpenDoor(const std::string& address) {
-  constexpr int kSurplus = 64;  // they are told why they are sent away
+  constexpr int kSurplus = 64;  // connections above the limit that still get an answer
   DHPMAP_ASSIGN_OR_RETURN(door, net::Door::Open({.name = "REST",
                                                  .address = address,
                                                  .sockets = options.sockets,
@@ -366,7 +366,7 @@ void Listener::Impl::AcceptAfter(std::chrono::milliseconds time) {
 
 void Listener::Impl::Accepted(const error_code& error, tcp::socket socket) {
   if (error == asio::error::operation_aborted || !acceptor.is_open()) return;
-  if (error) {  // out of file descriptors, most likely
+  if (error) {  // most likely out of file descriptors
     const bool has_closed_one = events.on_no_descriptors();
     return AcceptAfter(std::chrono::milliseconds(reserve.Use() ? 0 : has_closed_one ? 5 : 50));
   }
@@ -394,7 +394,7 @@ Result<std::unique_ptr<Listener>> Listener::Start(const ListenerOptions& options
 Listener::Listener(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Listener::~Listener() {
-  impl_->door.reset();  // which hands over to the threads
+  impl_->door.reset();  // it posts to the threads
   impl_->io.stop();
   for (std::thread& thread : impl_->threads) thread.join();
 }

@@ -18,34 +18,34 @@ class TlsContext;
 namespace dhpmap::http {
 
 struct ListenerOptions {
-  std::string address;                         ///< host:port, port 0 takes a free one; or unix:PATH
-  std::vector<int> sockets = {};               ///< that listen already, in its place; then the listener's
-  std::shared_ptr<const net::TlsContext> tls;  ///< null: in the clear
-  int max_connections = 1000;                  ///< behind TLS or a unix: address; others are for who hears of them
-  std::function<void(std::string_view why)> on_refused;  ///< there; from several threads; may be empty
+  std::string address;                         ///< host:port (port 0: a free one), or unix:PATH
+  std::vector<int> sockets = {};               ///< already listening, in place of `address`; owned by the listener
+  std::shared_ptr<const net::TlsContext> tls;  ///< null: no TLS
+  int max_connections = 1000;                  ///< with TLS or a unix: address; otherwise on_connection limits them
+  std::function<void(std::string_view why)> on_refused;  ///< with these; from several threads; may be empty
   int num_threads = 1;
   std::chrono::duration<double> idle_timeout{60};  ///< of a connection, between requests
   std::chrono::duration<double> head_timeout{10};  ///< from the first byte of a request to the end of its head
 };
 
 struct ListenerEvents {
-  /// Runs on the new connection's sequence of execution.
+  /// Called on the new connection's sequence of execution.
   std::function<void(std::shared_ptr<Connection>)> on_connection;
-  /// A connection waits that cannot be accepted: closes another, and returns whether there was one to close.
+  /// Called when descriptors run out while a connection waits: closes another connection; returns false if none can be
+  /// closed.
   std::function<bool()> on_no_descriptors;
 };
 
-/// Accepts connections and runs them on its threads. Those with TLS, of a unix: address or of
-/// sockets that were handed over come through a net::Door.
-/// Thread-safe.
+/// Accepts connections and runs them on its threads. Connections with TLS, of a unix: address or of inherited sockets
+/// come through a net::Door. Thread-safe.
 class Listener {
  public:
-  /// UNAVAILABLE if "host:port" cannot be bound; INVALID_ARGUMENT if it is no address.
+  /// UNAVAILABLE if the address cannot be bound; INVALID_ARGUMENT if it is malformed.
   static Result<std::unique_ptr<Listener>> Start(const ListenerOptions& options, ListenerEvents events);
-  /// Stops at once. Connections and what they hold must be gone.
+  /// Stops at once. Connections and their objects must have been destroyed.
   ~Listener();
 
-  [[nodiscard]] int port() const;  ///< 0 of a unix: address
+  [[nodiscard]] int port() const;  ///< 0 for a unix: address
   void StopAccepting();
 
  private:

@@ -12,7 +12,7 @@ namespace dhpmap::http {
 
 using Headers = std::vector<std::pair<std::string, std::string>>;
 
-/// First value of that name, whatever its case; "" if there is none.
+/// The first header of that name, case-insensitive; "" if missing.
 std::string_view FindHeader(const Headers& headers, std::string_view name);
 bool EqualsIgnoringCase(std::string_view a, std::string_view b);
 
@@ -22,13 +22,13 @@ struct RequestHead {
   std::string target;
   Headers headers;
   std::optional<std::uint64_t> content_length;
-  std::string peer_key;               ///< net::PeerKey of who sent it; empty behind a unix: address
-  bool is_from_foreign_page = false;  ///< a web page sent it that is not of this server
+  std::string peer_key;               ///< net::PeerKey of the client; empty for a unix: address
+  bool is_from_foreign_page = false;  ///< sent by a web page of another origin
 };
 
 struct Response {
   int status = 200;
-  Headers headers;  ///< not Content-Length, Transfer-Encoding, Connection, Date
+  Headers headers;  ///< without Content-Length, Transfer-Encoding, Connection, Date
   std::string body;
 };
 

@@ -18,21 +18,20 @@ namespace beast = boost::beast;
 using beast::error_code;
 using Parser = beast::http::request_parser<beast::http::buffer_body>;
 
-/// What a method consists of (RFC 9110 5.6.2).
+/// Characters of a method (RFC 9110, 5.6.2).
 bool IsTokenChar(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
          std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
 }
 
-/// Whether the line that ends there goes on with the one before it (RFC 9112, 5.2): proxies do not agree on what such a
-/// field says.
+/// Whether the line that ends at `newline` continues the one before (RFC 9112, 5.2): proxies disagree on such fields.
 bool IsFolded(std::string_view head, std::size_t newline) {
   const std::size_t before = newline == 0 ? std::string_view::npos : head.rfind('\n', newline - 1);
   if (before == std::string_view::npos) return false;
   return head[before + 1] == ' ' || head[before + 1] == '\t';
 }
 
-/// Beast 1.74 asserts, wrongly, that a body whose first chunk is the last one has not come in pieces that end here.
+/// Beast 1.74 asserts, wrongly, that a last chunk that is also the first is not split at this point.
 bool IsShortLastChunk(std::string_view framing) {
   return framing.starts_with("0\r\n") && framing.size() < std::string_view("0\r\n\r\n").size();
 }
@@ -42,7 +41,7 @@ ReadOutcome OutcomeOfParsing(const error_code& error) {
   return error == beast::http::error::header_limit ? ReadOutcome::kTooLarge : ReadOutcome::kMalformed;
 }
 
-/// Beast takes several that say the same, in one field or more (RFC 9112, 6.3).
+/// Beast accepts repeated lengths that agree, in one field or several (RFC 9112, 6.3); we accept only one.
 bool HasOneLength(const Parser::value_type& message) {
   if (message.count(beast::http::field::content_length) > 1) return false;
   const auto length = message[beast::http::field::content_length];
@@ -57,7 +56,7 @@ HeadResult MakeHead(const Parser& parser, const error_code& error) {
     return result;
   }
   const auto& message = parser.get();
-  // The parser takes a coding that it does not know for no body at all, and the body for the next request.
+  // The parser treats an unknown coding as no body, and the body as the next request.
   const auto codings = message.equal_range(beast::http::field::transfer_encoding);
   for (auto coding = codings.first; coding != codings.second; ++coding) {
     if (message.version() >= 11 && std::next(codings.first) == codings.second &&
@@ -89,22 +88,23 @@ HeadResult MakeHead(const Parser& parser, const error_code& error) {
 struct RequestParser::Impl {
   Impl() {
     parser.header_limit(kMaxHead_bytes);
-    parser.body_limit(std::numeric_limits<std::uint64_t>::max());  // the exchange limits it; none does not work in 1.74
+    parser.body_limit(std::numeric_limits<std::uint64_t>::max());  // the exchange has the limit; boost::none does not
+                                                                   // work in 1.74
   }
 
-  /// Where the head ends; 0 if it does not yet, or if `outcome` says that it is none.
+  /// Returns the end of the head; 0 if it is incomplete, or if `outcome` reports an error.
   std::size_t FindHead(std::string_view bytes, ReadOutcome* outcome);
   HeadResult ParseHead(std::string_view bytes);
 
   Parser parser;
   std::size_t num_scanned = 0;  // of the head
-  bool is_in_framing = false;   // of the body: more is needed to know what comes next
+  bool is_in_framing = false;   // within the framing of the body: more bytes are needed
 };
 
-// Beast's own search depends on the pieces: it may overlook the end of a head that it has begun to read.
+// Beast's own search depends on the pieces: it may miss the end of a head that it has begun to read.
 std::size_t RequestParser::Impl::FindHead(std::string_view bytes, ReadOutcome* outcome) {
   const std::string_view head = bytes.substr(0, kMaxHead_bytes);
-  if (num_scanned == 0 && !head.empty() && !IsTokenChar(head[0])) *outcome = ReadOutcome::kMalformed;  // TLS, say
+  if (num_scanned == 0 && !head.empty() && !IsTokenChar(head[0])) *outcome = ReadOutcome::kMalformed;  // such as TLS
   while (*outcome == ReadOutcome::kOk) {
     const std::size_t newline = head.find('\n', num_scanned);
     num_scanned = newline == std::string_view::npos ? head.size() : newline + 1;
@@ -121,7 +121,7 @@ HeadResult RequestParser::Impl::ParseHead(std::string_view bytes) {
   while (!error && !parser.is_header_done()) {
     bytes.remove_prefix(parser.put(boost::asio::const_buffer(bytes.data(), bytes.size()), error));
   }
-  return MakeHead(parser, error);  // it is whole: what needs more is malformed
+  return MakeHead(parser, error);  // the head is complete, so a need for more bytes is an error
 }
 
 RequestParser::RequestParser() : impl_(std::make_unique<Impl>()) {}

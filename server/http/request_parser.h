@@ -10,12 +10,12 @@
 
 namespace dhpmap::http {
 
-/// Reads one request of HTTP/1.1 out of bytes that come in pieces of any size: its head, then its body without the
-/// framing. What it has not used, kMaxHead_bytes at most, belongs to what comes later and is given again, with more
-/// behind it. The outcome does not depend on the pieces. Thread-compatible.
+/// Parses one HTTP/1.1 request from pieces of any size: its head, then its body without framing. Bytes that it does not
+/// consume, at most kMaxHead_bytes, must be passed again with more data. The result does not depend on the pieces.
+/// Thread-compatible.
 class RequestParser {
  public:
-  /// Of a request's head. Also of what stands between two parts of a body, if it comes in pieces.
+  /// Limit of a request's head, and of the framing between two parts of a body if it is split.
   static constexpr std::size_t kMaxHead_bytes = 32u << 10;
 
   RequestParser();
@@ -25,7 +25,7 @@ class RequestParser {
 
   struct HeadStep {
     std::size_t num_used = 0;
-    bool is_complete = false;  ///< `head` says what it is, or what is wrong with it; else more bytes are needed
+    bool is_complete = false;  ///< `head` is the result or an error; else more bytes are needed
     HeadResult head;
   };
   HeadStep AddHead(std::string_view bytes);
@@ -35,10 +35,10 @@ class RequestParser {
     std::size_t num_written = 0;  ///< to `out`
     ReadOutcome outcome = ReadOutcome::kOk;
     bool is_end = false;
-    /// There is something to tell; else more bytes are needed.
+    /// Whether there is a result; else more bytes are needed.
     [[nodiscard]] bool is_complete() const { return num_written > 0 || is_end || outcome != ReadOutcome::kOk; }
   };
-  /// After the head, if that says that there is a body. `out` is not empty.
+  /// Call after a head that announces a body. `out` must not be empty.
   BodyStep AddBody(std::string_view bytes, std::span<char> out);
 
  private:

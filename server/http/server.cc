@@ -21,7 +21,7 @@ std::string HostOf(const std::string& address) {
 /// The open sessions. Thread-safe.
 class SessionSet {
  public:
-  /// How many there are with this one.
+  /// Returns the number of sessions, including this one.
   std::size_t Add(const std::shared_ptr<Session>& session) DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     sessions_.insert(session);
@@ -42,7 +42,7 @@ class SessionSet {
     const MutexLock lock(mutex_);
     for (const auto& session : sessions_) session->Post([session] { session->Abort(); });
   }
-  /// Closes the one that has been idle longest. False if none is idle.
+  /// Closes the session that has been idle longest. False if none is idle.
   bool CloseIdlest() DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     std::shared_ptr<Session> idlest;

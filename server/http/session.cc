@@ -8,13 +8,13 @@
 namespace dhpmap::http {
 namespace {
 
-/// Also for a client that waits for nothing, to find out whether it is still there: it has to skip this.
+/// Also used to probe a client that does not expect it: clients must skip it.
 constexpr std::string_view kContinue = "HTTP/1.1 100 Continue\r\n\r\n";
 constexpr std::uint64_t kSmallBody_bytes = 64u << 10;
-/// How long an unwanted body is read, so that the client gets to see the answer before the connection goes.
+/// How long to read an unwanted body, so that the client sees the answer before the connection closes.
 constexpr std::chrono::seconds kDropTimeout{10};
 
-/// RFC 9110 5.6.7, made anew once a second.
+/// Date header (RFC 9110, 5.6.7), cached for a second.
 const std::string& DateText() {
   thread_local std::time_t made = 0;
   thread_local std::string text;
@@ -82,7 +82,7 @@ void Session::BeginRequest(const RequestHead& head, bool waits_for_continue) {
   connection_->Write(std::string(kContinue), "");
 }
 
-/// What follows such a head cannot be understood.
+/// Refuses a malformed head. What follows it cannot be parsed, so the connection closes.
 void Session::RefuseHead(const HeadResult& head) {
   keep_alive_ = small_body_ = false;
   intake_.To(Intake::kDone);
@@ -106,7 +106,7 @@ void Session::OnBodyData(ReadOutcome outcome, std::string_view data, bool is_end
   if (outcome != ReadOutcome::kOk) return BodyFailed(outcome);
   if (intake_.Is(Intake::kDropping)) return Drop(is_end);
   intake_.To(Intake::kPaused);
-  const auto exchange = exchange_;  // it may give up, and be let go
+  const auto exchange = exchange_;  // keep alive: it may give up and release itself
   const bool wants_more = exchange->OnBody(data);
   if (life_.Is(Life::kClosed)) return;
   if (is_end) {
@@ -128,7 +128,7 @@ void Session::BodyFailed(ReadOutcome outcome) {
 void Session::ResumeBody() { ReadBody(); }
 
 void Session::BodyEnded() {
-  const auto exchange = exchange_;  // it may answer at once, and be let go
+  const auto exchange = exchange_;  // keep alive: it may answer at once and release itself
   exchange->OnBodyEnd();
   if (exchange_ && answer_.IsAnyOf({Answer::kNone, Answer::kStreaming})) {
     connection_->WatchPeer(is_http_1_1_ ? std::string(kContinue) : std::string());
@@ -151,7 +151,7 @@ void Session::OnPeerEnded() {
 }
 
 std::string Session::HeadText(const Response& response, const std::string& framing) {
-  // A body that is still to come in full would be in the way of the next request.
+  // An incomplete large body blocks the next request, so close the connection.
   if (!intake_.Is(Intake::kDone) && !small_body_) keep_alive_ = false;
   std::string text = "HTTP/1.1 " + std::to_string(response.status);
   text += ' ';
@@ -179,7 +179,7 @@ void Session::Reply(Response response) {
 void Session::BeginStream(Response head, std::optional<std::uint64_t> length) {
   answer_.To(Answer::kStreaming);
   chunked_ = !length && is_http_1_1_;
-  if (!length && !is_http_1_1_) keep_alive_ = false;  // the end of the connection is the end of the answer
+  if (!length && !is_http_1_1_) keep_alive_ = false;  // the connection's end marks the end of the answer
   stream_head_ = HeadText(head, length     ? "Content-Length: " + std::to_string(*length) + "\r\n"
                                 : chunked_ ? "Transfer-Encoding: chunked\r\n"
                                            : "");
@@ -224,7 +224,7 @@ void Session::DropBody() {
   if (!is_reading) connection_->ReadBody();
 }
 
-/// A part of the body has come that nobody wants.
+/// Handles a part of an unwanted body.
 void Session::Drop(bool is_end) {
   if (is_end) {
     intake_.To(Intake::kDone);
@@ -256,7 +256,7 @@ void Session::CloseIfIdle() {
 void Session::Abort() {
   if (life_.Is(Life::kClosed)) return;
   life_.To(Life::kClosed);
-  const auto self = shared_from_this();  // the connection lets go of us
+  const auto self = shared_from_this();  // keep alive: the connection releases this
   if (exchange_) exchange_->OnClosed();
   exchange_.reset();
   connection_->Close();

@@ -16,23 +16,23 @@
 
 namespace dhpmap::http {
 
-/// The HTTP/1.1 rules of one connection: one request after the other, keep-alive, framing of answers, what to do with a
-/// body nobody wants. All calls on the connection's sequence of execution, but Post.
+/// The HTTP/1.1 protocol of one connection: one request after the other, keep-alive, framing of answers, unwanted
+/// bodies. Call on the connection's sequence of execution, except Post.
 class Session final : public ConnectionEvents, public Responder, public std::enable_shared_from_this<Session> {
  public:
-  /// `on_closed` runs once, when the connection is closed. The handler and the names outlive the session.
+  /// `on_closed` runs once, when the connection closes. The handler and the names must outlive the session.
   Session(std::shared_ptr<Connection> connection, const Handler& handler, const HostNames& names,
           std::function<void(Session*)> on_closed)
       : connection_(std::move(connection)), handler_(handler), names_(names), on_closed_(std::move(on_closed)) {}
 
-  /// A surplus session answers its first request with 503: there are too many connections.
+  /// `is_surplus`: above the limit of connections; the first request gets 503.
   void Start(bool is_surplus = false);
-  /// The request under way is the last; without one, closes.
+  /// Closes after the current request; at once if there is none.
   void Drain();
   void Abort();
-  /// Closes if no request is under way.
+  /// Closes unless a request is running.
   void CloseIfIdle();
-  /// Since when no request has been under way; nothing while one is. Thread-safe.
+  /// Time since which no request has been running; nothing while one is. Thread-safe.
   [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> idle_since() const;
 
   // ConnectionEvents
@@ -68,19 +68,19 @@ class Session final : public ConnectionEvents, public Responder, public std::ena
   std::function<void(Session*)> on_closed_;
   StateMachine<Life> life_{Life::kOpen};
   bool is_surplus_ = false;
-  std::string peer_key_;                                             // empty behind a unix: address
-  std::atomic<std::chrono::steady_clock::time_point> idle_since_{};  // the clock's epoch while a request is under way
+  std::string peer_key_;                                             // empty for a unix: address
+  std::atomic<std::chrono::steady_clock::time_point> idle_since_{};  // the clock's epoch while a request is running
 
-  // Of the request under way.
+  // State of the current request.
   StateMachine<Intake> intake_{Intake::kHead};
   StateMachine<Answer> answer_{Answer::kNone};
   std::shared_ptr<Exchange> exchange_;
   bool is_head_ = false;
   bool is_http_1_1_ = true;
   bool keep_alive_ = true;
-  bool small_body_ = false;  // cheaper to read to its end than to open a new connection
+  bool small_body_ = false;  // cheaper to read completely than to open a new connection
   std::chrono::steady_clock::time_point drop_deadline_;
-  std::string stream_head_;  // to go with the first chunk
+  std::string stream_head_;  // sent with the first chunk
   bool chunked_ = false;
 };
 

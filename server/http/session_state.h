@@ -3,14 +3,14 @@
 
 namespace dhpmap::http {
 
-/// How far a request has been read.
+/// Progress of reading a request.
 enum class Intake {
-  kHead,      ///< the next request's head is awaited
-  kInviting,  ///< the client wants "100 Continue" before it sends the body: that is being written
-  kPaused,    ///< there is more of the body, and nobody wants it yet
-  kReading,   ///< a part of the body is being read, for the exchange
-  kDropping,  ///< a part of the body is being read, for nobody
-  kDone,      ///< all of it has been read, or the rest cannot be understood
+  kHead,      ///< waiting for the next request's head
+  kInviting,  ///< writing "100 Continue", which the client waits for before it sends the body
+  kPaused,    ///< more of the body follows, but the exchange does not want it yet
+  kReading,   ///< reading a part of the body for the exchange
+  kDropping,  ///< reading a part of the body to drop it
+  kDone,      ///< the body is complete, or its rest is unreadable
 };
 
 constexpr bool IsLegal(Intake from, Intake to) {
@@ -26,12 +26,12 @@ constexpr bool IsLegal(Intake from, Intake to) {
   return false;
 }
 
-/// How far its answer has been written.
+/// Progress of writing the answer.
 enum class Answer {
-  kNone,       ///< not begun
-  kStreaming,  ///< begun; more follows
-  kEnding,     ///< its last part is being written
-  kEnded,      ///< written; what is left of the request's body is being dropped
+  kNone,       ///< not started
+  kStreaming,  ///< started; more follows
+  kEnding,     ///< the last part is being written
+  kEnded,      ///< written; the rest of the request's body is being dropped
 };
 
 constexpr bool IsLegal(Answer from, Answer to) {
@@ -44,10 +44,10 @@ constexpr bool IsLegal(Answer from, Answer to) {
   return false;
 }
 
-/// How long the connection lasts.
+/// Life cycle of the connection.
 enum class Life {
   kOpen,
-  kDraining,  ///< the request under way is the last
+  kDraining,  ///< closes after the current request
   kClosed,
 };
 

@@ -52,7 +52,7 @@ std::optional<std::string> DecodeBase64(std::string_view text) {
   std::string out(text.size() * 3 / 4, '\0');
   char* to = out.data();
   std::uint32_t word = 0;
-  std::uint32_t seen = 0;  // all bits of all values: one test at the end instead of one a character
+  std::uint32_t seen = 0;  // OR of all values: one test at the end instead of one per character
   std::size_t i = 0;
   for (; i + 4 <= text.size(); i += 4, to += 3) {
     const std::uint32_t a = kValues[Byte(text, i)], b = kValues[Byte(text, i + 1)];

@@ -27,7 +27,7 @@ class Builder {
     AppendString(value, &text_);
     return *this;
   }
-  /// Text that is JSON already.
+  /// Inserts text that is already JSON.
   Builder& Raw(std::string_view json) {
     Separate();
     text_ += json;

@@ -9,31 +9,31 @@
 
 namespace dhpmap::json {
 
-/// Walks the tokens of an RFC 8259 text, strictly. Every reading function returns false on the first error, which is
-/// kept with its place; after that, stop. Keeps a view of the text. Thread-compatible.
+/// A strict tokenizer of RFC 8259 text. Every reading function returns false on the first error, which is kept with its
+/// position; stop after it. Holds a view of the text. Thread-compatible.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_(text) {}
 
-  /// The next character that is not space, not consumed; '\0' at the end.
+  /// The next non-space character, not consumed; '\0' at the end.
   char Peek();
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[nodiscard]] std::string_view Slice(std::size_t from) const { return text_.substr(from, offset_ - from); }
 
   bool TryConsume(char c);
   bool Consume(char c);
-  /// `*value` is a view of the text, or of `*scratch` where there were escapes. `scratch` null: it is only checked.
+  /// `*value` is a view of the text, or of `*scratch` if there were escapes. `scratch` null: only check the string.
   bool ReadString(std::string_view* value, std::string* scratch);
-  /// The string that is next, with its escapes and without its quotes; empty if there is none.
+  /// The next string, with its escapes and without its quotes; empty if there is none.
   [[nodiscard]] std::string_view RawString();
   bool ReadNumber(std::string_view* value);
   /// "true", "false" or "null".
   bool ReadWord(std::string_view word);
-  /// Any value, checked but not kept.
+  /// Skips any value, after checking it.
   bool SkipValue();
   bool ExpectEnd();
 
-  /// Keeps the first error, at the present place or at `offset`. Returns false.
+  /// Keeps the first error, at the current position or at `offset`. Returns false.
   bool Fail(std::string message) { return FailAt(offset_, std::move(message)); }
   bool FailAt(std::size_t offset, std::string message);
   [[nodiscard]] bool failed() const { return failed_; }
@@ -54,7 +54,7 @@ class Cursor {
   std::string error_;
 };
 
-/// Deeper nesting is an error: it would cost stack.
+/// Limit of nesting, because nesting uses stack.
 inline constexpr int kMaxDepth = 64;
 
 }  // namespace dhpmap::json

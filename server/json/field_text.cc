@@ -33,13 +33,13 @@ std::optional<T> ParseExactly(std::string_view text) {
   return value;
 }
 
-/// Digits, or a number with a fraction or exponent that is whole ("1e3", "2.0"), as proto3 JSON allows.
+/// Parses digits, or a fraction or exponent with a whole value ("1e3", "2.0"), as proto3 JSON allows.
 template <typename T>
 std::optional<T> ParseInteger(std::string_view text) {
   if (const auto exact = ParseExactly<T>(text)) return exact;
   if (text.find_first_of(".eE") == std::string_view::npos) return std::nullopt;
   const auto real = ParseExactly<double>(text);
-  constexpr double kExact = 9007199254740992.0;  // 2^53: every whole number up to it is a double
+  constexpr double kExact = 9007199254740992.0;  // 2^53: a double represents every integer up to it
   if (!real || std::trunc(*real) != *real || std::abs(*real) > kExact) return std::nullopt;
   if (*real < static_cast<double>(std::numeric_limits<T>::min())) return std::nullopt;
   if (*real > static_cast<double>(std::numeric_limits<T>::max())) return std::nullopt;
@@ -51,10 +51,10 @@ std::optional<T> ParseReal(std::string_view text) {
   if (text == "NaN") return std::numeric_limits<T>::quiet_NaN();
   if (text == "Infinity") return std::numeric_limits<T>::infinity();
   if (text == "-Infinity") return -std::numeric_limits<T>::infinity();
-  if (text.find_first_of("nN") != std::string_view::npos) return std::nullopt;  // from_chars takes "nan" and "inf"
+  if (text.find_first_of("nN") != std::string_view::npos) return std::nullopt;  // from_chars accepts "nan" and "inf"
   if (const auto value = ParseExactly<T>(text)) return value;
-  // What is too small counts as out of range; it is zero, near enough. Not asked of from_chars for a long double, which
-  // looks behind the end of the text (GCC 12).
+  // from_chars reports underflow as out of range; accept it as (nearly) zero. Not from_chars for long double, which
+  // reads past the end of the text (GCC 12).
   double wide = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), wide);
   if (error == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
@@ -94,7 +94,7 @@ std::string SetBytes(const FieldDescriptor& field, std::string_view text, Messag
   return "";
 }
 
-/// `parsed` goes into the field by the setter of its type, or `expected` is returned.
+/// Sets the field to `parsed` by the setter of its type, or returns `expected`.
 #define DHPMAP_SET_SCALAR(Type, parsed, expected)                            \
   {                                                                          \
     const auto value = (parsed);                                             \

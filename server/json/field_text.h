@@ -15,25 +15,27 @@ class Message;
 
 namespace dhpmap::json {
 
-/// The field of that proto name or JSON (lowerCamel) name, or null.
+/// Finds a field by its proto name or JSON (lowerCamel) name; null if there is none.
 const google::protobuf::FieldDescriptor* FindField(const google::protobuf::Descriptor& type, std::string_view name);
 
-/// Fields from the outermost message to the one named; all but the last are singular messages.
+/// A path from the outermost message to a field; all but the last are singular messages.
 using FieldPath = std::vector<const google::protobuf::FieldDescriptor*>;
 
-/// "submap.map_from_submap" or "submap.mapFromSubmap". INVALID_ARGUMENT names the first part that does not exist.
+/// Resolves "submap.map_from_submap" or "submap.mapFromSubmap". INVALID_ARGUMENT names the first part that does not
+/// exist.
 Status ResolveFieldPath(const google::protobuf::Descriptor& type, std::string_view dotted, FieldPath* path);
 
-/// "submap.map_from_submap": proto names.
+/// "submap.map_from_submap", in proto names.
 std::string ToString(const FieldPath& path);
 
-/// Sets a scalar field from its text: numbers, true|false, enum names or numbers, strings as they are, bytes as base64.
-/// Appends if the field is repeated. Returns what is wrong ("expected an integer of 32 bits"), or "".
+/// Sets a scalar field from text: numbers, true|false, enum names or numbers, strings verbatim, bytes as base64.
+/// Appends if the field is repeated. Returns the error ("expected an integer of 32 bits"), or "".
 std::string SetScalarFromText(const google::protobuf::FieldDescriptor& field, std::string_view text,
                               google::protobuf::Message* message);
 
-/// As SetScalarFromText at the end of a path, making the messages on the way; also takes what proto3 JSON writes as one
-/// string or scalar (FieldMask, Timestamp, Duration, wrappers). INVALID_ARGUMENT names the field.
+/// Sets the field at the end of a path, as SetScalarFromText, creating the messages on the way. Also accepts types that
+/// proto3 JSON writes as one string or scalar (FieldMask, Timestamp, Duration, wrappers). INVALID_ARGUMENT names the
+/// field.
 Status SetFieldFromText(const FieldPath& path, std::string_view text, google::protobuf::Message* message);
 
 /// "mapFromSubmap" and "map_from_submap" both become "map_from_submap".

@@ -13,11 +13,11 @@ namespace {
 using google::protobuf::FieldDescriptor;
 
 constexpr std::size_t kStep_bytes = 64u << 10;
-constexpr std::size_t kPointer_bytes = 2 * sizeof(void*);  // an array of these has doubled
+constexpr std::size_t kPointer_bytes = 2 * sizeof(void*);  // after an array of pointers has doubled
 
-constexpr std::size_t kEntry_bytes = 96;  // of a map, with its share of the table; it cannot be asked
+constexpr std::size_t kEntry_bytes = 96;  // a map entry with its share of the table; an estimate
 
-/// In an array that has doubled.
+/// Bytes of an element in an array that has doubled.
 std::size_t BytesInList(const FieldDescriptor& field) {
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
@@ -47,14 +47,14 @@ bool MessageBytes::AddMessage(const google::protobuf::Message& message, bool is_
 
 bool MessageBytes::AddScalar(const FieldDescriptor& field, std::size_t text_bytes) {
   if (field.cpp_type() != FieldDescriptor::CPPTYPE_STRING) {
-    constexpr std::size_t kMostOfNumber_bytes = 64;  // a longer one is copied to be understood
+    constexpr std::size_t kMostOfNumber_bytes = 64;  // a longer text is copied to be parsed
     return Add((field.is_repeated() ? BytesInList(field) : 0) + (text_bytes > kMostOfNumber_bytes ? text_bytes : 0));
   }
   return Add(text_bytes + sizeof(std::string) + 1 + (field.is_repeated() ? kPointer_bytes : 0));
 }
 
 bool MessageBytes::AddScratch(std::string_view raw) {
-  constexpr std::size_t kGrown = 3;  // it doubles, and the old one is still there
+  constexpr std::size_t kGrown = 3;  // it doubles while the old buffer still exists
   if (kGrown * raw.size() <= scratch_bytes_ || raw.find('\\') == std::string_view::npos) return true;
   const std::size_t more_bytes = kGrown * raw.size() - scratch_bytes_;
   scratch_bytes_ += more_bytes;

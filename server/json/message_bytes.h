@@ -17,23 +17,23 @@ class Message;
 
 namespace dhpmap::json {
 
-/// Asked whether so many bytes may be held in all, before they are; what it refuses with is the reader's answer.
+/// Asked before memory is used: may the total be this many bytes? The reader returns its error.
 using AskRoom = std::function<Status(std::size_t num_bytes)>;
 
-/// Counts what a message takes while it is made: no less, but for what the allocator adds. Asks in steps. Each function
-/// is false once there is no room. Thread-compatible.
+/// Counts at least the memory that a message takes while it is parsed, apart from the allocator's overhead. Asks in
+/// steps. Functions return false once the limit is reached. Thread-compatible.
 class MessageBytes {
  public:
-  /// Without `ask` there is always room.
+  /// Empty `ask`: no limit.
   explicit MessageBytes(AskRoom ask) : ask_(std::move(ask)) {}
 
   /// `message` is new and empty.
   bool AddMessage(const google::protobuf::Message& message, bool is_in_list);
   bool AddScalar(const google::protobuf::FieldDescriptor& field, std::size_t text_bytes);
-  /// A string that has escapes is copied to be read; one at a time.
+  /// A string with escapes is copied to be decoded, one at a time.
   bool AddScratch(std::string_view raw);
   bool Add(std::size_t num_bytes);
-  /// What is added in between is there twice: in the list that entries of a map are read into, and in the map.
+  /// Map entries count twice until EndMap: in the list that they are read into, and in the map.
   void BeginMap() { num_copies_ = num_copies_ < kMostCopies ? 2 * num_copies_ : num_copies_; }
   void EndMap() { num_copies_ = num_copies_ > 1 ? num_copies_ / 2 : 1; }
 

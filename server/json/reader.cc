@@ -22,16 +22,16 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
 constexpr std::size_t kMostOfName_bytes = 128;
-/// Of the text of a time.
+/// Limit of texts such as times.
 constexpr std::size_t kMostOfShort_bytes = 1024;
-/// A value of any type takes up to so many times its text: "1," is a message in a list, made of a copy.
+/// A value of any type takes up to this many times its text: "1," is a message in a list, built from a copy.
 constexpr std::size_t kMostOfValue = 128;
 
-/// A name that somebody made up, as it is told.
+/// An unknown name, shortened for error messages.
 std::string Shortened(std::string_view name) {
   if (name.size() <= kMostOfName_bytes) return std::string(name);
   std::size_t end = kMostOfName_bytes;
-  while ((static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // within a character
+  while ((static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // do not split a character
   return std::string(name.substr(0, end)) + "...";
 }
 
@@ -43,7 +43,7 @@ class Reader {
     }
   }
 
-  /// What there is before anything is read counts, too.
+  /// Counts the initial message, too.
   void Start(const Message& message) {
     if (!bytes_.Add(message.SpaceUsedLong())) FailRoom();
   }
@@ -72,12 +72,12 @@ class Reader {
   bool ReadWellKnown(Message* message);
   bool ReadMapKey(const FieldDescriptor& key, Message* entry);
 
-  /// A wrong value of the present field, rather than text that is no JSON.
+  /// Reports a wrong value of the current field, rather than malformed JSON.
   bool FailField(std::size_t offset, const std::string& message) {
     if (violation_.empty()) violation_ = PathText();
     return cursor_.FailAt(offset, message);
   }
-  /// There is no room for what comes next.
+  /// Reports that the next part exceeds the memory limit.
   bool FailRoom() { return cursor_.Fail("no room"); }
   bool ReadText(std::string_view* text) {
     return (bytes_.AddScratch(cursor_.RawString()) || FailRoom()) && cursor_.ReadString(text, &scratch_);
@@ -92,7 +92,7 @@ class Reader {
   Paths* paths_;
   MessageBytes bytes_;
   FieldPath path_;
-  std::vector<int> indices_;  // of path_: place in a list, or -1
+  std::vector<int> indices_;  // for each field of path_: index in a list, or -1
   int list_depth_ = 0;
   std::string violation_;
   std::string scratch_;
@@ -245,7 +245,8 @@ bool Reader::ReadScalar(const FieldDescriptor& field, Message* message) {
   return wrong.empty() || FailField(start, wrong);
 }
 
-/// The text of a value whose JSON type suits the field: numbers may be quoted, booleans and strings may not vary.
+/// The text of a value whose JSON type fits the field: numbers may be quoted; booleans and strings must have their
+/// type.
 bool Reader::ReadScalarText(const FieldDescriptor& field, std::string_view* text) {
   const char c = cursor_.Peek();
   const std::size_t start = cursor_.offset();
@@ -257,7 +258,7 @@ bool Reader::ReadScalarText(const FieldDescriptor& field, std::string_view* text
     return cursor_.ReadWord(*text);
   }
   if ((c == '-' || (c >= '0' && c <= '9')) && !is_text && !is_bool) return cursor_.ReadNumber(text);
-  if (!cursor_.SkipValue()) return false;  // no JSON at all: say that rather than that it does not suit
+  if (!cursor_.SkipValue()) return false;  // prefer the syntax error to the type error
   return FailField(start, is_text   ? (field.type() == FieldDescriptor::TYPE_BYTES ? "expected base64 in a string"
                                                                                    : "expected a string")
                           : is_bool ? "expected true or false"
@@ -275,7 +276,7 @@ bool Reader::ReadWellKnown(Message* message) {
     if (!ReadText(&text)) return false;
     constexpr std::size_t kPath_bytes = sizeof(std::string) + 2 * sizeof(void*);
     const auto num_commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
-    // Parts become longer: "A" is "_a".
+    // Parts may grow: "A" becomes "_a".
     if (!bytes_.Add(4 * text.size() + (num_commas + 1) * kPath_bytes)) return FailRoom();
     SetFieldMask(text, message);
     return true;

@@ -15,16 +15,17 @@ class Message;
 
 namespace dhpmap::json {
 
-/// Dotted proto names of what a JSON text sets: its leaves, lists and maps whole; an empty object counts as itself.
+/// Dotted proto names of the fields that a JSON text sets: leaves; lists and maps as a whole; an empty object as
+/// itself.
 using Paths = std::vector<std::string>;
 
-/// Merges one strict JSON object into `message`, by the rules of proto3 JSON; proto names and lowerCamel names both do.
-/// INVALID_ARGUMENT with the place (line, column, byte) and, for a wrong value, the field as a violation: malformed
-/// text, an unknown field, a field given twice, two members of one oneof. `message` is then half-filled. `paths` may be
-/// null. `ask` is asked for what the message takes as it grows: a short text may be a large one.
+/// Merges one strict JSON object into `message` by the rules of proto3 JSON; accepts proto names and lowerCamel names.
+/// INVALID_ARGUMENT with the position (line, column, byte) and, for a wrong value, the field as a violation: malformed
+/// text, an unknown field, a field given twice, two members of one oneof. `message` is then partly filled. `paths` may
+/// be null. `ask` is asked for memory as the message grows: a short text may become a large message.
 Status Read(std::string_view text, google::protobuf::Message* message, Paths* paths = nullptr, AskRoom ask = nullptr);
 
-/// As Read, for the value of one field of `message`; the paths are relative to that field.
+/// Like Read, for the value of one field of `message`; paths are relative to that field.
 Status ReadField(std::string_view text, const google::protobuf::FieldDescriptor& field,
                  google::protobuf::Message* message, Paths* paths = nullptr, AskRoom ask = nullptr);
 

@@ -22,7 +22,7 @@ template <typename T>
 void AppendNumber(T value, std::string* out) {
   std::array<char, 32> text;
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  (void)error;  // 32 characters hold any number's shortest form
+  (void)error;  // 32 characters hold the shortest form of any number
   out->append(text.data(), end);
 }
 
@@ -56,7 +56,7 @@ void AppendEnum(const FieldDescriptor& field, int number, std::string* out) {
 
 #define DHPMAP_GET(Type) (i < 0 ? r.Get##Type(m, &f) : r.GetRepeated##Type(m, &f, i))
 
-/// The value of a singular field (i < 0) or of the i-th element.
+/// Writes the value of a singular field (i < 0) or of element i.
 void AppendValue(const Message& m, const FieldDescriptor& f, int i, std::string* out) {
   const auto& r = *m.GetReflection();
   switch (f.cpp_type()) {
@@ -103,7 +103,8 @@ void AppendRepeated(const Message& message, const FieldDescriptor& field, std::s
   *out += field.is_map() ? '}' : ']';
 }
 
-/// What proto3 JSON writes in a form of its own. False if the library cannot either (an Any of a type not linked in).
+/// Writes types with a special form in proto3 JSON. False if the library cannot either (an Any of a type not linked
+/// in).
 bool AppendWellKnown(const Message& message, std::string* out) {
   google::protobuf::util::JsonPrintOptions options;
   options.always_print_primitive_fields = true;

@@ -6,7 +6,7 @@
 
 namespace dhpmap {
 
-/// The text as it stands between the quotes of a JSON string; control characters as \uXXXX, so it stays on one line.
+/// Escapes text for the inside of a JSON string; control characters become \uXXXX, so it stays on one line.
 std::string EscapeForJson(std::string_view text);
 
 }  // namespace dhpmap

@@ -28,7 +28,7 @@ class JsonMessageFlag : public spdlog::custom_flag_formatter {
   }
 };
 
-/// As <syslog.h> has them.
+/// Levels as in <syslog.h>.
 char PriorityOf(spdlog::level::level_enum level) {
   switch (level) {
     case spdlog::level::trace:
@@ -40,7 +40,7 @@ char PriorityOf(spdlog::level::level_enum level) {
   }
 }
 
-/// %Q: "<6>", which the journal takes off.
+/// %Q: "<6>", which the journal removes.
 class PriorityFlag : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
@@ -52,7 +52,7 @@ class PriorityFlag : public spdlog::custom_flag_formatter {
   }
 };
 
-/// %V: the message on one line: the journal would take the next one for an entry of its own.
+/// %V: the message on one line, because the journal makes an entry of each line.
 class OneLineFlag : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
@@ -100,7 +100,7 @@ std::shared_ptr<spdlog::logger>& Logger() {
 }
 
 void Write(spdlog::level::level_enum level, std::string_view message) {
-  Logger()->log(level, spdlog::string_view_t(message.data(), message.size()));  // not a format string
+  Logger()->log(level, spdlog::string_view_t(message.data(), message.size()));  // not as a format string
 }
 
 }  // namespace

@@ -13,23 +13,23 @@ enum class LogLevel { kDebug, kInfo, kWarning, kError, kOff };
 struct LogOptions {
   LogLevel level = LogLevel::kInfo;
   bool json_lines = false;  ///< one JSON object a line: time, level, message
-  /// The journal of systemd reads it: lines begin with their priority, "<6>", and no time, which it notes itself.
+  /// For systemd's journal: lines begin with their priority, "<6>", and have no time, because the journal adds it.
   bool is_journal = false;
 };
 
 /// "debug", "info", "warning", "error" or "off"; INVALID_ARGUMENT otherwise.
 Result<LogLevel> LogLevelFromName(std::string_view name);
 
-/// Sends the log to standard error. To be called once, before threads start; until then lines go out at level info.
+/// Sends the log to standard error. Call once, before threads start; until then lines are written at level info.
 void InitLog(const LogOptions& options);
 
-/// From the next line on. Thread-safe.
+/// Takes effect with the next line. Thread-safe.
 void SetLogLevel(LogLevel level);
 
-/// Whether standard error is the stream to the journal that JOURNAL_STREAM ("device:inode") is about.
+/// Whether standard error is the journal stream that JOURNAL_STREAM ("device:inode") names.
 bool IsJournal(const std::string& journal_stream);
 
-// One line each, thread-safe. An error is logged once: where it stops travelling.
+// One line each, thread-safe. Log an error once, where it is handled.
 void LogDebug(std::string_view message);
 void LogInfo(std::string_view message);
 void LogWarning(std::string_view message);

@@ -46,7 +46,7 @@ prometheus::MetricFamily GaugeFamily(const std::string& name, const std::string&
   return family;
 }
 
-/// Names and meaning as the client libraries of Prometheus have them.
+/// Names and types as in the client libraries of Prometheus.
 prometheus::MetricFamily Gauge(const std::string& name, const std::string& help, double value) {
   prometheus::MetricFamily family;
   family.name = name;
@@ -102,10 +102,10 @@ std::size_t MapsBytes(const std::vector<Metrics::MapGauges>& maps) {
   return static_cast<std::size_t>(bytes);
 }
 
-/// `a` - `b`, of numbers that were read one after the other while both go on.
+/// `a` - `b`, at least 0: both change between the two reads.
 std::size_t Rest(std::size_t a, std::size_t b) { return a > b ? a - b : 0; }
 
-/// Each byte once.
+/// Counts each byte once.
 std::vector<ValueOfKind> MemoryByKind(const Metrics::Gauges& gauges, const std::optional<HeapUse>& heap) {
   std::vector<ValueOfKind> values = ScratchByKind(&MemoryCount::now_bytes);
   values.emplace_back("maps", MapsBytes(gauges.maps));
@@ -117,7 +117,7 @@ std::vector<ValueOfKind> MemoryByKind(const Metrics::Gauges& gauges, const std::
   return values;
 }
 
-/// A value of /proc/self/status, such as "RssAnon" in kB; 0 if there is none.
+/// A value of /proc/self/status, such as "RssAnon" in kB; 0 if it is missing.
 double ProcessStatus(const std::string& key) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);) {

@@ -13,7 +13,7 @@ struct Address {
   std::uint16_t port = 0;
 };
 
-/// Of "host:port" and "[v6]:port"; INVALID_ARGUMENT for anything else. Whether there is such a host is not asked.
+/// Splits "host:port" or "[v6]:port"; INVALID_ARGUMENT for any other form. Does not resolve the host.
 Result<Address> SplitAddress(const std::string& address);
 
 }  // namespace dhpmap::net

@@ -27,7 +27,7 @@ ClientSocket::ClientSocket(Descriptor socket, SslSession session)
 
 Outcome ClientSocket::Handshake() {
   if (session_ == nullptr) return Outcome::kDone;
-  ERR_clear_error();  // of others on this thread
+  ERR_clear_error();  // left by other code on this thread
   const int result = SSL_do_handshake(session_.get());
   return result == 1 ? Outcome::kDone : OutcomeOf(result);
 }
@@ -65,14 +65,14 @@ Outcome ClientSocket::OutcomeOf(int result) {
     case SSL_ERROR_WANT_READ: return Outcome::kLater;
     case SSL_ERROR_WANT_WRITE: wants_to_write_ = true; return Outcome::kLater;
     case SSL_ERROR_ZERO_RETURN: return Outcome::kEnd;
-    default: return Outcome::kFailed;  // also the end of the connection without TLS's own: it may have been cut off
+    default: return Outcome::kFailed;  // also an end without TLS close_notify: the data may be truncated
   }
 }
 
 void ClientSocket::CloseSending() {
   if (session_ != nullptr) {
     ERR_clear_error();
-    (void)SSL_shutdown(session_.get());  // what it cannot say now it leaves unsaid
+    (void)SSL_shutdown(session_.get());  // best effort
   }
   ::shutdown(socket_.get(), SHUT_WR);
 }

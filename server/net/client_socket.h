@@ -8,36 +8,36 @@
 
 namespace dhpmap::net {
 
-/// A client's connection, in the clear or inside of TLS. Never blocks. Thread-compatible.
+/// A client's connection, plain or with TLS. Never blocks. Thread-compatible.
 class ClientSocket {
  public:
   enum class Outcome {
     kDone,
-    kLater,   ///< when the socket is ready, see wants_to_write
-    kEnd,     ///< the client sends no more
-    kFailed,  ///< it is gone, or TLS is broken
+    kLater,   ///< call again when the socket is ready, see wants_to_write
+    kEnd,     ///< the client half-closed
+    kFailed,  ///< the connection or its TLS is broken
   };
   struct Moved {
     Outcome outcome = Outcome::kLater;
-    std::size_t num_bytes = 0;  ///< of kDone, at least one
+    std::size_t num_bytes = 0;  ///< for kDone; at least one
   };
 
-  /// Without a session, in the clear.
+  /// `session` null: no TLS.
   ClientSocket(Descriptor socket, SslSession session);
 
-  /// TLS's, to be called until it is kDone; in the clear it is at once.
+  /// Continues the TLS handshake; call until kDone. Without TLS kDone at once.
   Outcome Handshake();
   Moved Read(char* to, std::size_t most);
-  /// What was not taken comes again next time, with as much or more behind it.
+  /// Bytes that were not written must be passed again next time, optionally with more after them.
   Moved Write(const char* from, std::size_t num_bytes);
-  /// The client sees the end of what is sent, and may still be sending.
+  /// Half-closes: the client sees the end of the data, and may still send.
   void CloseSending();
 
   [[nodiscard]] int descriptor() const { return socket_.get(); }
   [[nodiscard]] ssl_st* session() const { return session_.get(); }
-  /// Whether the last kLater waits for room to write.
+  /// Whether the last kLater waits for the socket to become writable.
   [[nodiscard]] bool wants_to_write() const { return wants_to_write_; }
-  /// Whether there may be something to read though the socket has nothing.
+  /// Whether Read may return data although the socket has none.
   [[nodiscard]] bool has_read_ahead() const;
 
  private:

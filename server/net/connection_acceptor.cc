@@ -24,14 +24,14 @@
 namespace dhpmap::net {
 namespace {
 
-/// While the system has no memory or descriptors even for a refusal.
+/// Wait while the system lacks memory or descriptors even for a refusal.
 constexpr int kRetry_ms = 50;
-/// Descriptors for the files of maps and for others' connections; of few, a quarter.
+/// Descriptors to leave for map files and others' connections; at most a quarter of the limit.
 constexpr rlim_t kLeftToOthers = 32;
-/// Connections; then it looks whether it is to stop.
+/// Connections to accept before the stop signal is checked again.
 constexpr int kAtATime = 64;
 
-/// Numbers are given out from below, so a high one says that there are few left.
+/// Descriptors are assigned from the lowest, so a high number means that few are left.
 bool IsOneOfTheLast(const Descriptor& socket) {
   rlimit limit{};
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return false;
@@ -49,13 +49,13 @@ struct ConnectionAcceptor::Impl {
         open(most) {}
 
   void Run();
-  /// Some of those who wait.
+  /// Accepts some of the pending connections.
   void AcceptFrom(const Descriptor& listener);
 
   std::vector<Descriptor> listeners;
   const int port;
-  std::string path;       // of a unix: address
-  const Descriptor stop;  // readable: the thread ends
+  std::string path;       // file of a unix: address
+  const Descriptor stop;  // readable when the thread must end
   OpenSockets open;
   ReserveDescriptor reserve;
   std::function<void(int)> take;
@@ -93,7 +93,7 @@ void ConnectionAcceptor::Impl::AcceptFrom(const Descriptor& listener) {
         if (reserve.Use()) {
           const bool is_refused = Descriptor(::accept4(listener.get(), nullptr, nullptr, SOCK_CLOEXEC)).get() >= 0;
           reserve.Fill();
-          if (!is_refused) return;  // nobody waits: EMFILE comes first
+          if (!is_refused) return;  // nothing is pending: EMFILE takes precedence
           break;
         }
         [[fallthrough]];
@@ -102,9 +102,9 @@ void ConnectionAcceptor::Impl::AcceptFrom(const Descriptor& listener) {
         (void)reserve.Fill();
         std::this_thread::sleep_for(std::chrono::milliseconds(kRetry_ms));
         return;
-      case ECONNABORTED:  // gone before it was accepted
+      case ECONNABORTED:  // closed before it was accepted
       case EINTR: break;
-      default:  // of the network; asked again if somebody still waits
+      default:  // a network error; retried if a connection still waits
         return;
     }
   }

@@ -11,29 +11,28 @@
 namespace dhpmap::net {
 
 struct AcceptorOptions {
-  std::string address;            ///< host:port, also a name; port 0 takes a free one; or unix:PATH
-  std::vector<int> sockets = {};  ///< that listen already, in its place; then the acceptor's
-  /// Of those handed over and still open. Those beyond it are accepted and closed at once: a client that is refused
-  /// knows more than one that waits.
+  std::string address;            ///< host:port (host may be a name; port 0: a free one), or unix:PATH
+  std::vector<int> sockets = {};  ///< already listening, in place of `address`; owned by the acceptor
+  /// Limit of connections that were handed over and are still open. Further ones are accepted and closed at once,
+  /// because a refusal tells the client more than waiting.
   int max_connections = 1000;
 };
 
-/// Accepts connections on a thread of its own and hands them over. Goes on when there are no file descriptors left:
-/// one is kept back, with which those that come then are refused; and does not take the last ones, so that others find
-/// some. Not thread-safe.
+/// Accepts connections on its own thread and hands them over. When file descriptors run out, it uses a reserved one to
+/// refuse new connections. It leaves the last descriptors to others. Not thread-safe.
 class ConnectionAcceptor {
  public:
-  /// Listens as net::ListenOn does, or ListenOnInherited. Connections wait until Start. INVALID_ARGUMENT if it is no
-  /// address, UNAVAILABLE if it cannot be listened on.
+  /// Listens like net::ListenOn or ListenOnInherited. Connections wait until Start. INVALID_ARGUMENT for a malformed
+  /// address, UNAVAILABLE if listening fails.
   static Result<std::unique_ptr<ConnectionAcceptor>> Listen(const AcceptorOptions& options);
   /// Stops.
   ~ConnectionAcceptor();
 
-  [[nodiscard]] int port() const;  ///< 0 of a unix: address
-  /// `take` becomes the owner of each connected socket, which does not block and is not inherited by children. It runs
-  /// on the thread. Called once.
+  [[nodiscard]] int port() const;  ///< 0 for a unix: address
+  /// `take` gets ownership of each connected socket: non-blocking, close-on-exec. It runs on the acceptor's thread.
+  /// Call once.
   void Start(std::function<void(int socket)> take);
-  /// Accepts no more; `take` has returned and is not called again. What was handed over goes on.
+  /// Stops accepting; `take` has returned and is not called again. Connections that were handed over continue.
   void Stop();
 
  private:

@@ -28,13 +28,13 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kLastWordsOfAll{1};
 constexpr std::size_t kFewConnections = 64;
 
-/// So that one address cannot have them all.
+/// Limit of one address, so that it cannot occupy all connections.
 std::size_t MostPerPeer(int max_connections) {
   const auto most = static_cast<std::size_t>(std::max(max_connections, 1));
   return std::max(std::min(most, kFewConnections), most - most / 4);
 }
 
-/// Of all doors of the process, as the names of the pairs are.
+/// Shared by all doors of the process, because the names of pairs are.
 std::uint64_t NextNumber() {
   static std::atomic<std::uint64_t> last = 0;
   return ++last;
@@ -53,8 +53,8 @@ GreeterOptions GreeterOptionsOf(const DoorOptions& options) {
 struct Door::Impl {
   struct Running {
     PeerIdentity peer;
-    std::shared_ptr<PeerCounts> counts;  ///< of its peer, which counts who holds it; null: FrameLimits hold it
-    std::string name;                    ///< of the other end of its pair
+    std::shared_ptr<PeerCounts> counts;  ///< counts as a connection; null if FrameLimits hold it
+    std::string name;                    ///< of the other end of the pair
   };
 
   Impl(const DoorOptions& how, std::unique_ptr<ConnectionAcceptor> listening)
@@ -77,7 +77,7 @@ struct Door::Impl {
   std::function<void(Passed)> take;
   mutable Mutex mutex;
   std::unordered_map<std::uint64_t, Running> running DHPMAP_GUARDED_BY(mutex);
-  // Last, those that hand over before those that take: their threads end in this order.
+  // Last, so that their threads end in this order, those that hand over connections before those that take them.
   std::vector<std::unique_ptr<Relay>> relays;
   std::unique_ptr<Greeter> greeter;
   std::unique_ptr<ConnectionAcceptor> acceptor;
@@ -98,7 +98,7 @@ void Door::Impl::PassOn(Greeted greeted) {
   std::unique_ptr<FrameLimits> limits;
   if (options.protocol == Protocol::kHttp2) {
     limits = std::make_unique<FrameLimits>(std::move(greeted.counts));
-    (void)::send(pair->ours.get(), kHttp2Preface.data(), kHttp2Preface.size(), 0);  // there is room: it is the first
+    (void)::send(pair->ours.get(), kHttp2Preface.data(), kHttp2Preface.size(), 0);  // fits: the first write
   }
   {
     const MutexLock lock(mutex);

@@ -18,44 +18,44 @@ namespace dhpmap::net {
 
 struct DoorOptions {
   std::string name;               ///< for the log: "gRPC"
-  std::string address;            ///< host:port, port 0 takes a free one; or unix:PATH
-  std::vector<int> sockets = {};  ///< that listen already, in its place; then the door's
+  std::string address;            ///< host:port (port 0: a free one), or unix:PATH
+  std::vector<int> sockets = {};  ///< already listening, in place of `address`; owned by the door
   int max_connections = 1000;
-  Protocol protocol = Protocol::kHttp2;     ///< of kHttp2, frames are counted
-  std::shared_ptr<const TlsContext> tls;    ///< null: in the clear
-  int num_relays = 2;                       ///< threads that pass bytes
+  Protocol protocol = Protocol::kHttp2;     ///< for kHttp2, frames are counted
+  std::shared_ptr<const TlsContext> tls;    ///< null: no TLS
+  int num_relays = 2;                       ///< threads that forward bytes
   std::function<void(Refusal)> on_refused;  ///< for metrics; from several threads; may be empty
 };
 
-/// A connection as the server behind the door gets it: a socket of this machine that carries what is inside of TLS.
+/// A connection as the server behind the door receives it: a local socket that carries the decrypted bytes.
 struct Passed {
-  int socket = -1;  ///< now its owner's; does not block
+  int socket = -1;  ///< owned by the receiver; non-blocking
   PeerIdentity peer;
-  std::string local_address;  ///< that the client has connected to, without the port; empty behind a unix: address
+  std::string local_address;  ///< that the client connected to, without the port; empty for a unix: address
 };
 
-/// Accepts connections, ends TLS, counts HTTP/2 frames, and passes bytes to a server that need know nothing of these.
-/// Ends a connection that does what no client has to (FrameLimits), with a line in the log. Memory a connection is
-/// bounded, and who does not read is not read from. Thread-safe, but for Start.
+/// Accepts connections, terminates TLS, counts HTTP/2 frames, and forwards bytes to a server that needs to know none of
+/// this. Ends connections that exceed FrameLimits, with a line in the log. Memory per connection is bounded: if one
+/// side does not read, the door stops reading from the other. Thread-safe, except Start.
 class Door {
  public:
-  /// Listens; connections wait until Start. INVALID_ARGUMENT, UNAVAILABLE as ConnectionAcceptor::Listen.
+  /// Listens; connections wait until Start. Errors as ConnectionAcceptor::Listen: INVALID_ARGUMENT, UNAVAILABLE.
   static Result<std::unique_ptr<Door>> Open(const DoorOptions& options);
-  /// Accepts no more; what the server has said last still goes to its clients, for a second. The server should have
-  /// closed its sockets.
+  /// Stops accepting. Flushes the server's last bytes to clients for up to a second. The server should have closed its
+  /// sockets before.
   ~Door();
 
   /// 0 behind a unix: address.
   [[nodiscard]] int port() const;
   /// `take` runs on a thread of the door. Called once.
   void Start(std::function<void(Passed)> take);
-  /// Accepts no more; connections that are open go on.
+  /// Stops accepting; open connections continue.
   void StopAccepting();
 
-  /// Whose connection has the other end with this name, as grpc::ServerContext::peer() tells it. Nothing if it is none
-  /// of this door, or has ended.
+  /// The peer of the connection whose other end has this name, as in grpc::ServerContext::peer(). Nothing if the
+  /// connection is not of this door or has ended.
   [[nodiscard]] std::optional<PeerIdentity> Find(std::string_view peer) const;
-  [[nodiscard]] std::size_t num_connections() const;  ///< that are through
+  [[nodiscard]] std::size_t num_connections() const;  ///< past handshake and preface
 
  private:
   struct Impl;

@@ -8,10 +8,9 @@ namespace {
 
 using namespace frame_flags;
 
-/// The window of the stream and of the connection, and a PING with which some clients measure.
+/// The windows of the stream and of the connection, and a PING with which some clients measure bandwidth.
 constexpr int kAnswersToData = 3;
-/// The windows that a client of gRPC opens for a call before anything of its answer has come, and the reset of one that
-/// the server has ended first.
+/// A gRPC client opens windows for a call before its answer begins, and resets a call that the server has ended first.
 constexpr int kAnswersToCall = 3;
 constexpr int kMostAnswers = 10'000;
 
@@ -42,7 +41,7 @@ Refusal FrameLimits::OnClientHead(const FrameHead& head) {
     case FrameType::kSettings: return OnSettings(head);
     case FrameType::kPing:
     case FrameType::kWindowUpdate: return Answer();
-    case FrameType::kPushPromise:  // only servers may
+    case FrameType::kPushPromise:  // only servers may send it
     case FrameType::kContinuation: return Refusal::kMalformed;
     default: return Control();
   }
@@ -64,7 +63,7 @@ Refusal FrameLimits::BeginHeaders(const FrameHead& head) {
     streams_.push_back({.id = head.stream, .is_answered = false});
     num_answers_ = std::min(num_answers_ + kAnswersToCall, kMostAnswers);
   } else if (FindStream(head.stream) == streams_.end()) {
-    if (const Refusal refusal = Control(); refusal != Refusal::kNone) return refusal;  // of a stream that has ended
+    if (const Refusal refusal = Control(); refusal != Refusal::kNone) return refusal;  // for a stream that has ended
   }
   block_stream_ = head.stream;
   block_bytes_ = head.length_bytes;
@@ -78,7 +77,7 @@ Refusal FrameLimits::BeginHeaders(const FrameHead& head) {
   return Refusal::kNone;
 }
 
-/// Nothing else may come before its end (RFC 9113, 6.10).
+/// No other frame may come before the end of the block (RFC 9113, 6.10).
 Refusal FrameLimits::ContinueHeaders(const FrameHead& head) {
   if (head.type != FrameType::kContinuation || head.stream != block_stream_) return Refusal::kMalformed;
   block_bytes_ += head.length_bytes;
@@ -102,7 +101,7 @@ Refusal FrameLimits::OnClientPayload(std::string_view part, bool is_end) {
     before_fragment_bytes_ -= static_cast<std::uint32_t>(step);
     part.remove_prefix(step);
   }
-  const std::string_view fragment = part.substr(0, fragment_bytes_);  // then padding
+  const std::string_view fragment = part.substr(0, fragment_bytes_);  // padding follows
   fragment_bytes_ -= static_cast<std::uint32_t>(fragment.size());
   if (const Refusal refusal = check_.Add(fragment); refusal != Refusal::kNone) return refusal;
   if (!is_end || !is_last_of_block_) return Refusal::kNone;
@@ -130,7 +129,8 @@ Refusal FrameLimits::OnServerHead(const FrameHead& head) {
   return Refusal::kNone;
 }
 
-/// What makes the server reset streams counts as if the client did: the calls go on all the same.
+/// A reset by the server because of the client's frames counts as a reset by the client: its call runs on all the
+/// same.
 Refusal FrameLimits::OnServerPayload(std::string_view part, bool is_end) {
   if (server_head_.type != FrameType::kReset) return Refusal::kNone;
   is_reset_for_cause_ |= std::any_of(part.begin(), part.end(), [](char byte) { return byte != 0; });  // not NO_ERROR
@@ -139,8 +139,8 @@ Refusal FrameLimits::OnServerPayload(std::string_view part, bool is_end) {
   return was_open && is_reset_for_cause_ ? Reset() : Refusal::kNone;
 }
 
-/// The peer's share is touched only by connections that do much: the others of a busy address are not punished. Who
-/// opens many connections has kOwnResets on each, which costs it a connection.
+/// The peer's shared limit applies only to connections with many resets, so it does not punish the others of a busy
+/// address. A client with many connections has kOwnResets on each, at the cost of a connection.
 Refusal FrameLimits::Reset() {
   if (!resets_.Take(now_)) return Refusal::kTooManyResets;
   const bool is_one_too_many = peer_ != nullptr && resets_.has_given(kOwnResets) && !peer_->TakeReset(now_);
@@ -163,8 +163,8 @@ std::vector<FrameLimits::OpenStream>::iterator FrameLimits::FindStream(std::uint
   return std::find_if(streams_.begin(), streams_.end(), [stream](const OpenStream& one) { return one.id == stream; });
 }
 
-/// Who gives up a call before its answer begins leaves work behind that nobody waits for; who ends a watch that has
-/// told him something does not.
+/// A call that is cancelled before its answer begins leaves useless work behind; a cancelled watch that has sent
+/// messages does not.
 Refusal FrameLimits::OnReset(std::uint32_t stream) {
   const auto found = FindStream(stream);
   const bool is_answered = found != streams_.end() && found->is_answered;

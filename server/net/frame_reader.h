@@ -10,7 +10,7 @@
 
 namespace dhpmap::net {
 
-/// What a client says before its first frame (RFC 9113, 3.4).
+/// The client's connection preface, before its first frame (RFC 9113, 3.4).
 inline constexpr std::string_view kHttp2Preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
 
 /// RFC 9113, section 6.
@@ -32,7 +32,7 @@ constexpr std::uint8_t kAck = 0x1, kEndStream = 0x1, kEndHeaders = 0x4, kPadded 
 
 struct FrameHead {
   std::uint32_t length_bytes = 0;
-  FrameType type = FrameType::kData;  ///< may be none of those above
+  FrameType type = FrameType::kData;  ///< may be an unknown type
   std::uint8_t flags = 0;
   std::uint32_t stream = 0;
 
@@ -43,17 +43,17 @@ class FrameSink {
  public:
   virtual ~FrameSink() = default;
   virtual Refusal OnHead(const FrameHead& head) = 0;
-  /// A part of the payload, as it came; not of DATA. After the last part, or at once where there is none, `is_end`.
+  /// A part of the payload as it arrives; not for DATA. `is_end` with the last part, or at once for an empty payload.
   virtual Refusal OnPayload(std::string_view part, bool is_end) = 0;
 };
 
-/// Finds the frames in what one side of an HTTP/2 connection sends after its preface, whatever pieces it comes in.
-/// Keeps nine bytes. Thread-compatible.
+/// Parses the frames of one direction of an HTTP/2 connection after the preface, from pieces of any size. Keeps nine
+/// bytes. Thread-compatible.
 class FrameReader {
  public:
-  /// Stops at the first refusal, and must not be asked again.
+  /// Stops at the first refusal; must not be called again after it.
   Refusal Read(std::string_view bytes, FrameSink& sink);
-  /// Whether what was read ends where a frame does.
+  /// Whether the data so far end at a frame boundary.
   [[nodiscard]] bool is_between_frames() const { return num_head_bytes_ == 0 && payload_left_bytes_ == 0; }
 
  private:

@@ -26,7 +26,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Outcome = ClientSocket::Outcome;
 
-/// One that has not said everything yet.
+/// A connection whose handshake or preface is incomplete.
 struct Newcomer {
   ClientSocket socket;
   PeerIdentity peer;
@@ -34,7 +34,7 @@ struct Newcomer {
   std::string peer_key;
   Clock::time_point until;
   bool is_shaken = false;
-  std::size_t num_said = 0;  // of the preface
+  std::size_t num_said = 0;  // bytes of the preface received
   bool waits_to_write = false;
 };
 using Newcomers = std::list<Newcomer>;  // the oldest first
@@ -48,7 +48,7 @@ struct Greeter::Impl {
   void TakeIn();
   void Begin(Newcomer newcomer);
   void Listen(Newcomers::iterator one);
-  /// kDone when the client has said everything, kLater if more is to come.
+  /// Continues handshake and preface: kDone when complete, kLater if more is needed.
   Outcome Hear(Newcomer& one, Refusal& refusal) const;
   Outcome HearPreface(Newcomer& one, Refusal& refusal) const;
   void Refuse(Newcomers::iterator one, Refusal refusal);
@@ -64,7 +64,7 @@ struct Greeter::Impl {
   std::vector<Newcomer> arrived DHPMAP_GUARDED_BY(mutex);
   std::atomic<bool> is_stopping = false;
 
-  // Of the thread.
+  // Used by the thread only.
   Newcomers newcomers;
   std::map<std::string, std::size_t> num_by_peer;
   std::map<int, Newcomers::iterator> by_descriptor;
@@ -136,7 +136,7 @@ void Greeter::Impl::Begin(Newcomer newcomer) {
   const auto one = std::prev(newcomers.end());
   by_descriptor[descriptor] = one;
   if (!poller.Add(descriptor, EPOLLIN)) return Refuse(one, Refusal::kOutOfDescriptors);
-  Listen(one);  // most have said it by now
+  Listen(one);  // most have sent everything already
 }
 
 void Greeter::Impl::Listen(Newcomers::iterator one) {
@@ -174,7 +174,7 @@ Outcome Greeter::Impl::Hear(Newcomer& one, Refusal& refusal) const {
       const unsigned char* selected = nullptr;
       unsigned int num_bytes = 0;
       SSL_get0_alpn_selected(session, &selected, &num_bytes);
-      if (options.protocol == Protocol::kHttp2 && num_bytes == 0) {  // it has offered none
+      if (options.protocol == Protocol::kHttp2 && num_bytes == 0) {  // the client offered no protocol
         refusal = Refusal::kHandshake;
         return Outcome::kFailed;
       }
@@ -187,7 +187,7 @@ Outcome Greeter::Impl::HearPreface(Newcomer& one, Refusal& refusal) const {
   std::array<char, kHttp2Preface.size()> bytes;
   while (one.num_said < kHttp2Preface.size()) {
     const ClientSocket::Moved read = one.socket.Read(bytes.data(), kHttp2Preface.size() - one.num_said);
-    if (read.outcome != Outcome::kDone) return read.outcome;  // gone without a word: no refusal
+    if (read.outcome != Outcome::kDone) return read.outcome;  // disconnected before any byte: no refusal
     if (kHttp2Preface.substr(one.num_said, read.num_bytes) != std::string_view(bytes.data(), read.num_bytes)) {
       refusal = Refusal::kNotHttp2;
       return Outcome::kFailed;

@@ -13,20 +13,20 @@
 
 namespace dhpmap::net {
 
-/// A connection that has said what it must.
+/// A connection that has completed handshake and preface.
 struct Greeted {
   ClientSocket socket;
   PeerIdentity peer;
   std::shared_ptr<PeerCounts> counts;
-  std::string local_address;  ///< that it has connected to, without the port; empty behind a unix: address
+  std::string local_address;  ///< that it connected to, without the port; empty for a unix: address
 };
 
 struct GreeterOptions {
   Protocol protocol = Protocol::kHttp2;
-  std::shared_ptr<const TlsContext> tls;  ///< null: in the clear
+  std::shared_ptr<const TlsContext> tls;  ///< null: no TLS
   /// For the handshake and the preface together.
   std::chrono::milliseconds within{5'000};
-  std::size_t max_new = 256;          ///< that have not said it yet; the oldest of the peer that has most goes
+  std::size_t max_new = 256;          ///< limit of pending ones; beyond it the oldest of the peer with most is closed
   std::size_t max_new_per_peer = 64;  ///< likewise
 };
 
@@ -40,10 +40,10 @@ class Greeter {
     std::function<void(Refusal, const PeerIdentity&)> on_refused;
   };
   Greeter(const GreeterOptions& options, Events events);
-  /// Closes those that it still has.
+  /// Closes the pending connections.
   ~Greeter();
 
-  /// A connected socket that does not block.
+  /// Takes a connected, non-blocking socket.
   void Add(Descriptor socket, PeerIdentity peer, std::shared_ptr<PeerCounts> counts);
 
  private:

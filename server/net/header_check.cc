@@ -20,7 +20,7 @@ Refusal HeaderCheck::Add(std::string_view fragment) {
     switch (next_) {
       case Next::kField: refusal = BeginField(byte); break;
       case Next::kInteger: refusal = AddToInteger(byte); break;
-      case Next::kStringLength: refusal = BeginInteger(Integer::kLength, byte, 7); break;  // above it: is it Huffman
+      case Next::kStringLength: refusal = BeginInteger(Integer::kLength, byte, 7); break;  // top bit: is it Huffman
       case Next::kString: break;
     }
     if (refusal != Refusal::kNone) return refusal;
@@ -50,7 +50,7 @@ Refusal HeaderCheck::BeginInteger(Integer meaning, std::uint8_t byte, int prefix
 }
 
 Refusal HeaderCheck::AddToInteger(std::uint8_t byte) {
-  if (num_more_bytes_ == 3) return Refusal::kBadHeader;  // 21 bits are beyond all bounds already
+  if (num_more_bytes_ == 3) return Refusal::kBadHeader;  // 21 bits exceed every limit
   value_ += static_cast<std::uint32_t>(byte & 0x7F) << (7 * num_more_bytes_++);
   if (value_ > kMostInteger) return Refusal::kBadHeader;
   return (byte & 0x80) != 0 ? Refusal::kNone : IntegerEnded();

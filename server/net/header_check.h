@@ -8,16 +8,16 @@
 
 namespace dhpmap::net {
 
-/// Walks over HPACK (RFC 7541) without decoding it, whatever pieces it comes in: no integer and no declared length
-/// beyond what a header block may have, and not so many fields that one byte each makes much of them. Keeps nothing of
-/// the fields; costs a step a representation, and nothing for the bytes of strings. Thread-compatible.
+/// Scans HPACK (RFC 7541) without decoding it, in pieces of any size. Refuses integers and lengths above the limits of
+/// a header block, and blocks of so many fields that small bytes expand to much. Stores no field; the cost is one step
+/// per representation, none for the bytes of strings. Thread-compatible.
 class HeaderCheck {
  public:
   static constexpr std::uint32_t kMostInteger = 65'536;
   static constexpr std::uint32_t kMostString_bytes = 16'384;
   static constexpr int kMostFields = 256;
 
-  /// A new block.
+  /// Starts a new block.
   void Begin() { *this = HeaderCheck(); }
   Refusal Add(std::string_view fragment);
   /// Whether the block may end here.
@@ -36,8 +36,8 @@ class HeaderCheck {
   Next next_ = Next::kField;
   Integer meaning_ = Integer::kIndex;
   std::uint32_t value_ = 0;
-  int num_more_bytes_ = 0;    // of the integer
-  int num_strings_left_ = 0;  // of the field
+  int num_more_bytes_ = 0;    // of the current integer
+  int num_strings_left_ = 0;  // of the current field
   std::uint32_t string_left_bytes_ = 0;
   int num_fields_ = 0;
 };

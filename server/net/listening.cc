@@ -27,7 +27,7 @@ bool Set(const Descriptor& socket, int level, int option, int value) {
   return ::setsockopt(socket.get(), level, option, &value, sizeof value) == 0;
 }
 
-/// Accepted sockets inherit these. A peer whose machine or network is gone is found out after 25 s of silence.
+/// Accepted sockets inherit these options. They detect a dead peer or network after 25 s of silence.
 void KeepAlive(const Descriptor& socket) {
   Set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
   Set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
@@ -36,13 +36,13 @@ void KeepAlive(const Descriptor& socket) {
   Set(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
 }
 
-/// An IPv6 socket is for IPv6 alone, but for the address that means every one of this machine.
+/// Whether an IPv6 socket should accept IPv4, too: only the wildcard address.
 bool IsForBothFamilies(const addrinfo& address) {
   return address.ai_family == AF_INET6 &&
          IN6_IS_ADDR_UNSPECIFIED(&reinterpret_cast<const sockaddr_in6*>(address.ai_addr)->sin6_addr);
 }
 
-/// Without a socket, errno says why.
+/// On failure the result is empty, and errno has the reason.
 Descriptor ListenOnOne(const addrinfo& address, bool is_alone) {
   Descriptor socket(::socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (socket.get() < 0) return socket;
@@ -87,7 +87,7 @@ Result<Listening> ListenOnHost(const std::string& text) {
     if (socket.get() >= 0) {
       sockets.push_back(std::move(socket));
       if (address.port == 0) break;
-    } else if (error = errno; error == EADDRINUSE) {  // of any: another server would get half of the clients
+    } else if (error = errno; error == EADDRINUSE) {  // on any: another server would get clients
       break;
     }
   }
@@ -98,7 +98,7 @@ Result<Listening> ListenOnHost(const std::string& text) {
   return Listening{.sockets = std::move(sockets), .port = taken_port};
 }
 
-/// Left behind by a server that has gone: nobody listens there.
+/// Whether the file is the socket of a server that has ended: nobody listens.
 bool IsDeadSocket(const std::string& path, const sockaddr_un& address) {
   struct stat found {};
   if (::lstat(path.c_str(), &found) != 0 || !S_ISSOCK(found.st_mode)) return false;
@@ -120,7 +120,7 @@ Result<Listening> ListenOnPath(const std::string& path) {
   Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const bool is_listening = socket.get() >= 0 &&
                             ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-                            ::chmod(path.c_str(), kOwnerAndGroup) == 0 &&  // nobody connects before it listens
+                            ::chmod(path.c_str(), kOwnerAndGroup) == 0 &&  // before anybody can connect
                             ::listen(socket.get(), SOMAXCONN) == 0;
   if (!is_listening) return Unavailable("cannot listen on unix:" + path + ": " + std::strerror(errno));
   Listening listening{.path = path};

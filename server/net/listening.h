@@ -9,20 +9,20 @@
 
 namespace dhpmap::net {
 
-/// Sockets that listen, do not block, and are not inherited by children.
+/// Listening sockets: non-blocking, close-on-exec.
 struct Listening {
   std::vector<Descriptor> sockets;  ///< at least one
-  int port = 0;                     ///< 0 of a unix: address
-  std::string path;                 ///< of a unix: address: the file, to be removed when nobody listens any more
+  int port = 0;                     ///< 0 for a unix: address
+  std::string path;                 ///< file of a unix: address, to be removed when listening ends
 };
 
-/// host:port, on all addresses that the host has, on a free port (0) only on the first; or unix:PATH, a socket that
-/// its owner and group may connect to (0660). There, the socket of a server that has gone is replaced, no other file.
-/// INVALID_ARGUMENT if it is no address, UNAVAILABLE if it cannot be listened on.
+/// Listens at host:port, on all addresses of the host (for a free port, 0, only on the first), or at unix:PATH, with
+/// access for owner and group (0660). Replaces the socket file of a server that has ended, but no other file.
+/// INVALID_ARGUMENT for a malformed address, UNAVAILABLE if listening fails.
 Result<Listening> ListenOn(const std::string& address);
 
-/// On sockets that listen already, at one port or path: they are ours from here on. A file that one of them has is its
-/// maker's. UNAVAILABLE if one is no socket.
+/// Takes ownership of sockets that already listen, at one port or path. The file of a unix: socket remains its
+/// creator's. UNAVAILABLE if one is not a socket.
 Result<Listening> ListenOnInherited(const std::vector<int>& sockets);
 
 }  // namespace dhpmap::net

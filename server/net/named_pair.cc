@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "dhpmap-guard-";
 
-/// "dhpmap-guard-0123456789abcdef-c7"; not to be guessed.
+/// "dhpmap-guard-0123456789abcdef-c7"; unpredictable.
 std::string RandomName(char end, std::uint64_t number) {
   std::uint64_t secret = 0;
   (void)!::getrandom(&secret, sizeof secret, 0);
@@ -31,7 +31,7 @@ std::string RandomName(char end, std::uint64_t number) {
 bool Name(const Descriptor& socket, const std::string& name) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  std::memcpy(&address.sun_path[1], name.data(), name.size());  // behind a zero: of no file
+  std::memcpy(&address.sun_path[1], name.data(), name.size());  // after a zero byte: an abstract name
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   return ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), size) == 0;
 }

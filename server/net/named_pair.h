@@ -10,18 +10,18 @@
 
 namespace dhpmap::net {
 
-/// Two sockets that are connected to each other. Both have abstract names that end with the number, so that whoever has
-/// one can tell which connection it is. Each name is random: every user of the machine may read those that there are
-/// (/proc/net/unix), but takes none that there will be.
+/// Two connected sockets. Both have abstract names that end with the number, so that either end identifies the
+/// connection. The names are random: local users can read existing ones (/proc/net/unix), but cannot reserve future
+/// ones.
 struct NamedPair {
   Descriptor ours, theirs;
   std::string our_name;
 };
 
-/// Nothing if there are no descriptors left, or another process has taken the names.
+/// Nothing if descriptors have run out, or another process has taken the names.
 std::optional<NamedPair> MakeNamedPair(std::uint64_t number);
 
-/// The number of the pair whose end has this name, as gRPC tells it ("unix-abstract:..."), if it is one of ours.
+/// The number of the pair from the name of an end, as gRPC reports it ("unix-abstract:..."); nothing for other names.
 std::optional<std::uint64_t> NumberOfPair(std::string_view name);
 
 }  // namespace dhpmap::net

@@ -8,13 +8,13 @@
 
 namespace dhpmap::net {
 
-/// How many of the sockets that were handed to somebody else, who does not tell when they are closed, are still open:
-/// a descriptor that was closed, and perhaps given out again, does not name the same inode. Not thread-safe.
+/// Counts sockets that were handed over and are still open, although nobody reports when they close. A descriptor that
+/// was closed, and perhaps reused, no longer has the same inode. Not thread-safe.
 class OpenSockets {
  public:
   explicit OpenSockets(int most) : most_(static_cast<std::size_t>(most > 0 ? most : 1)) {}
 
-  /// False if there are as many as there may be; then it is not one of them. Looks at all only if it seems so.
+  /// False if the limit is reached; then the socket is not counted. Checks for closed ones only at the limit.
   bool Add(int socket);
 
  private:

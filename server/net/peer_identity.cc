@@ -9,7 +9,7 @@
 namespace dhpmap::net {
 namespace {
 
-/// One customer, one machine: whoever has an IPv6 address has 2^64 of them.
+/// The /64 prefix: the holder of one IPv6 address usually has 2^64 of them.
 std::string NetworkOf(const std::string& host) {
   in6_addr address{};
   if (::inet_pton(AF_INET6, host.substr(0, host.find('%')).c_str(), &address) != 1) return host;

@@ -8,19 +8,19 @@
 
 namespace dhpmap::net {
 
-/// Who is at the other end of a connection, as far as the connection itself proves it.
+/// The identity of a peer, as far as the connection itself proves it.
 struct PeerIdentity {
-  /// "192.0.2.7:41000", "[2001:db8::7]:41000"; "unix" behind a unix: address.
+  /// "192.0.2.7:41000", "[2001:db8::7]:41000"; "unix" for a unix: address.
   std::string address;
-  /// Behind a unix: address: the user of the process that has connected, as the kernel says (SO_PEERCRED).
+  /// For a unix: address: the user of the connected process, as the kernel reports it (SO_PEERCRED).
   std::optional<uid_t> uid;
-  /// Of the certificate that the client has shown and tls.client_ca has signed: its first URI, else its first DNS
-  /// name (subjectAltName; never the common name). Empty without a certificate.
+  /// From the client certificate, if tls.client_ca has signed it: its first URI, else its first DNS name
+  /// (subjectAltName; never the common name). Empty without a certificate.
   std::string certificate_name;
 };
 
-/// What counts as one peer for limits: the IPv4 address, the first 64 bits of an IPv6 one, or the user of a process of
-/// this machine.
+/// The key that limits count by: the IPv4 address, the first 64 bits of an IPv6 address, or the user of a local
+/// process.
 std::string PeerKey(const PeerIdentity& peer);
 
 }  // namespace dhpmap::net

@@ -6,7 +6,7 @@
 namespace dhpmap::net {
 namespace {
 
-/// Peers that have gone and are not at rest yet; beyond it they are forgotten all the same.
+/// Limit of disconnected peers whose limits have not recovered; beyond it they are dropped anyway.
 constexpr std::size_t kMostGone = 16'384;
 
 }  // namespace
@@ -33,7 +33,7 @@ std::shared_ptr<PeerCounts> PeerTable::Join(const std::string& key, Time now) {
   if (peers_.size() >= forget_at_) Forget(now);
   std::shared_ptr<PeerCounts>& counts = peers_[key];
   if (counts == nullptr) counts = std::make_shared<PeerCounts>();
-  if (static_cast<std::size_t>(counts.use_count() - 1) >= most_) return nullptr;  // one is ours
+  if (static_cast<std::size_t>(counts.use_count() - 1) >= most_) return nullptr;  // one reference is ours
   return counts;
 }
 

@@ -11,14 +11,14 @@
 
 namespace dhpmap::net {
 
-/// What all connections of one peer do together. Thread-safe.
+/// The limits that all connections of one peer share. Thread-safe.
 class PeerCounts {
  public:
   using Time = TokenBucket::Time;
   static constexpr double kResets = 1024, kResets_per_s = 132;
   static constexpr double kControl = 2000, kControl_per_s = 500;
 
-  /// False if the peer's connections have done more of it than they may.
+  /// False if the peer's connections have exceeded the shared limit.
   bool TakeReset(Time now) DHPMAP_EXCLUDES(mutex_);
   bool TakeControl(Time now) DHPMAP_EXCLUDES(mutex_);
 
@@ -31,19 +31,19 @@ class PeerCounts {
   TokenBucket control_ DHPMAP_GUARDED_BY(mutex_){kControl, kControl_per_s};
 };
 
-/// The peers that have connections, or had them lately: who connects again does not begin anew. Thread-safe.
+/// The peers with connections now or recently: a peer that reconnects keeps its counts. Thread-safe.
 class PeerTable {
  public:
   using Time = TokenBucket::Time;
 
   explicit PeerTable(std::size_t max_connections_per_peer) : most_(max_connections_per_peer) {}
 
-  /// One more connection, for as long as what is returned is held; null if the peer has as many as it may.
+  /// Registers a connection until the result is released; null if the peer has reached its limit.
   std::shared_ptr<PeerCounts> Join(const std::string& key, Time now) DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::size_t size() const DHPMAP_EXCLUDES(mutex_);
 
  private:
-  /// Of those without connections that have been at rest.
+  /// Drops peers without connections whose limits have recovered.
   void Forget(Time now) DHPMAP_REQUIRES(mutex_);
 
   const std::size_t most_;

@@ -5,7 +5,7 @@
 
 namespace dhpmap::net {
 
-/// For the calling thread: OpenSSL writes to sockets in a way that would end the process when a client has gone.
+/// Blocks SIGPIPE in the calling thread: OpenSSL's writes would end the process after a client disconnects.
 inline void BlockPipeSignal() {
   sigset_t pipe;
   sigemptyset(&pipe);

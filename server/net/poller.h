@@ -21,13 +21,13 @@ class Poller {
 
   Poller();
 
-  /// False if the system has no more room.
+  /// False if the system is out of resources.
   bool Add(int descriptor, std::uint32_t events);
   void Change(int descriptor, std::uint32_t events);
   void Remove(int descriptor);
-  /// Those that are ready; none after `wait_ms` (-1: never), or when somebody called Wake.
+  /// Returns the ready descriptors; none after `wait_ms` (-1: no timeout) or Wake.
   std::span<const Ready> Wait(int wait_ms);
-  /// Ends a Wait, now or the next. Thread-safe.
+  /// Ends the current Wait, or the next one. Thread-safe.
   void Wake();
 
  private:

@@ -5,21 +5,21 @@
 
 namespace dhpmap::net {
 
-/// Why a connection was ended at the door.
+/// Why the door ended a connection.
 enum class Refusal {
   kNone,
   kTooManyStreams,        ///< open at once
   kTooManyResets,         ///< of streams, by the client or because of what it sent
-  kTooManyControlFrames,  ///< PING, SETTINGS, PRIORITY, empty DATA, WINDOW_UPDATE that nothing asked for
-  kHeaderTooLarge,        ///< a header block: bytes, frames or fields
-  kBadHeader,             ///< an HPACK integer or length beyond all bounds
+  kTooManyControlFrames,  ///< PING, SETTINGS, PRIORITY, empty DATA, unsolicited WINDOW_UPDATE
+  kHeaderTooLarge,        ///< a header block has too many bytes, frames or fields
+  kBadHeader,             ///< an HPACK integer or length above the limit
   kFrameTooLarge,
-  kMalformed,               ///< frames that RFC 9113 forbids, and that would hide others from the counts
-  kSettingsUnacknowledged,  ///< the server's limits hold for those only who acknowledge them
+  kMalformed,               ///< frames that RFC 9113 forbids, and that could hide others from the counts
+  kSettingsUnacknowledged,  ///< the server's limits bind only clients that acknowledge its SETTINGS
   kNotHttp2,                ///< the first bytes are not the preface of HTTP/2
-  kSilent,                  ///< the handshake or preface has not come in time
-  kTooManyNew,              ///< of those that have not said enough yet, the oldest goes
-  kHandshake,               ///< TLS: no common version, cipher or protocol, or a certificate that does not hold
+  kSilent,                  ///< handshake or preface did not arrive in time
+  kTooManyNew,              ///< limit of pending connections: the oldest is closed
+  kHandshake,               ///< TLS: no common version, cipher or protocol, or an invalid certificate
   kTooManyConnections,      ///< of one peer
   kOutOfDescriptors,
 };

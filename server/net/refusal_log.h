@@ -12,8 +12,8 @@
 
 namespace dhpmap::net {
 
-/// Tells of connections that were refused or ended: each to `on_refused`, and to the log as many as a person reads,
-/// with how many there were besides. Thread-safe.
+/// Reports refused and ended connections: each one to `on_refused`, and to the log at a readable rate, with the number
+/// of those left out. Thread-safe.
 class RefusalLog {
  public:
   RefusalLog(std::string door, std::function<void(Refusal)> on_refused)

@@ -52,10 +52,10 @@ struct Relay::Impl {
   std::vector<std::unique_ptr<Running>> arrived DHPMAP_GUARDED_BY(mutex);
   std::size_t count DHPMAP_GUARDED_BY(mutex) = 0;
 
-  // Of the thread.
+  // Used by the thread only.
   std::unordered_map<std::uint64_t, std::unique_ptr<Running>> by_number;
   std::unordered_map<int, Running*> by_descriptor;
-  std::vector<std::uint64_t> to_continue;  // numbers: it may have ended by then
+  std::vector<std::uint64_t> to_continue;  // by number, because a connection may have ended by then
   std::vector<char> scratch = std::vector<char>(kScratch_bytes);
   Clock::time_point next_look;
   std::thread thread;

@@ -12,18 +12,18 @@
 
 namespace dhpmap::net {
 
-/// Runs connections on a thread of its own, each having its share. Thread-safe.
+/// Forwards the bytes of connections on one thread, with a fair share for each. Thread-safe.
 class Relay {
  public:
-  /// A connection has ended: its number, and why if it was ended for what it did. On the thread.
+  /// A connection has ended: its number, and the reason if a limit ended it. Called on the thread.
   using OnEnded = std::function<void(std::uint64_t number, Refusal why)>;
 
   explicit Relay(OnEnded on_ended);
-  /// Ends those that are left.
+  /// Ends the remaining connections.
   ~Relay();
 
   void Add(std::uint64_t number, ClientSocket client, Descriptor inner, std::unique_ptr<FrameLimits> limits);
-  /// Returns when all have ended, or after so long. For when the doors behind have closed.
+  /// Returns when all have ended, or after `at_most`. Call after the server behind the door has closed.
   void WaitUntilEmpty(std::chrono::duration<double> at_most);
 
  private:

@@ -13,8 +13,8 @@ namespace {
 
 using Outcome = ClientSocket::Outcome;
 
-constexpr int kTurns = 4;  ///< scratches full, then others come
-/// The door has closed, and the client does not take what it said last.
+constexpr int kTurns = 4;  ///< full scratch buffers before other connections get their turn
+/// Time for the client to receive the server's last bytes after the server has closed.
 constexpr std::chrono::seconds kLastWords{10};
 
 bool IsLater(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
@@ -24,7 +24,7 @@ bool IsLater(int error) { return error == EAGAIN || error == EWOULDBLOCK || erro
 void RelayedConnection::Flow::Take(std::size_t num_bytes) {
   num_taken += num_bytes;
   if (num_taken < waiting.size()) return;
-  std::string().swap(waiting);  // idle connections hold nothing
+  std::string().swap(waiting);  // idle connections hold no buffer
   num_taken = 0;
 }
 
@@ -59,7 +59,7 @@ void RelayedConnection::OnReady(int descriptor, std::uint32_t events, std::span<
   Move(up, is_client ? may_write : may_read, scratch);
 }
 
-/// It would be told of for ever. What it has said last may still be read.
+/// Stops polling the inner socket, which would report for ever. Its last bytes may still be read.
 void RelayedConnection::InnerIsGone() {
   if (!std::exchange(is_inner_gone_, true)) poller_.Remove(inner_.get());
 }
@@ -123,7 +123,7 @@ bool RelayedConnection::MoveDown(std::span<char> scratch) {
     const std::size_t sent = SendDown(bytes);
     if (sent < bytes.size()) down_.Keep(bytes.substr(sent));
     if (refusal != Refusal::kNone) Refuse(refusal);
-    // Of a door that has closed nothing more is told: its end is read here.
+    // The poller no longer reports a closed inner socket, so read on to its end here.
     if (is_over_ || (bytes.size() < scratch.size() && !is_inner_gone_)) return true;
   }
   return down_.is_stuck();
@@ -151,7 +151,7 @@ std::size_t RelayedConnection::SendUp(std::string_view bytes) {
   const ssize_t sent = ::send(inner_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
   if (sent > 0) return static_cast<std::size_t>(sent);
   if (IsLater(errno)) return 0;
-  // The door has closed: nobody takes it any more. What it said last may still be on its way to the client.
+  // The server has closed and takes no more bytes. Its last ones may still be on the way to the client.
   up_.has_ended = up_.is_end_told = true;
   return bytes.size();
 }
@@ -170,7 +170,7 @@ std::size_t RelayedConnection::SendDown(std::string_view bytes) {
   return num_sent;
 }
 
-/// Each side hears of the other's end when it has all that was said before.
+/// Half-closes each side once it has received everything that the other sent before its end.
 void RelayedConnection::TellEnds() {
   if (up_.has_ended && !up_.is_stuck() && !std::exchange(up_.is_end_told, true)) ::shutdown(inner_.get(), SHUT_WR);
   if (down_.has_ended && !down_.is_stuck() && !std::exchange(down_.is_end_told, true)) client_.CloseSending();
@@ -191,7 +191,7 @@ void RelayedConnection::Refuse(Refusal refusal) {
   is_over_ = true;
 }
 
-/// RFC 9113, 6.8: as far as it can be said at once.
+/// GOAWAY (RFC 9113, 6.8), as far as it can be written at once.
 void RelayedConnection::SayGoAway(Refusal refusal) {
   constexpr char kEnhanceYourCalm = 0xB;
   const std::string_view why = RefusalName(refusal);

@@ -16,41 +16,41 @@
 
 namespace dhpmap::net {
 
-/// A client's connection and our end of the pair of sockets to the door behind: passes bytes both ways, and looks at
-/// the frames that pass. Holds what the one side does not take at most once a direction, up to the size of the scratch
-/// that it is given; then it does not read the other. Thread-compatible.
+/// Forwards bytes between a client's connection and our end of the socket pair to the server; checks the frames on the
+/// way. Buffers at most one scratch buffer per direction; while a receiver is slow, it does not read the sender.
+/// Thread-compatible.
 class RelayedConnection {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `limits` is null where no HTTP/2 is spoken. Registers itself with the poller, which outlives it.
+  /// `limits` is null unless the protocol is HTTP/2. Registers with the poller, which must outlive it.
   RelayedConnection(ClientSocket client, Descriptor inner, std::unique_ptr<FrameLimits> limits, Poller& poller);
   ~RelayedConnection();
   RelayedConnection(const RelayedConnection&) = delete;
   RelayedConnection& operator=(const RelayedConnection&) = delete;
 
-  /// False if the system has no room for it.
+  /// False if the system is out of resources.
   bool Begin();
-  /// Moves what can be moved now, at most a share, so that others have their turn.
+  /// Moves the available bytes, at most a share, so that other connections get their turn.
   void OnReady(int descriptor, std::uint32_t events, std::span<char> scratch);
-  /// Goes on with what no descriptor tells of; see has_more.
+  /// Continues without an event; see has_more.
   void Continue(std::span<char> scratch) { Move(true, true, scratch); }
   void AtTime(Clock::time_point now);
 
-  /// There is more to move at once.
+  /// Whether more can be moved at once.
   [[nodiscard]] bool has_more() const { return has_more_ && !is_over_; }
-  /// It is to be destroyed.
+  /// Whether it can be destroyed.
   [[nodiscard]] bool is_over() const { return is_over_; }
-  /// Why, if it was ended.
+  /// The reason, if a limit ended it.
   [[nodiscard]] Refusal refusal() const { return refusal_; }
   [[nodiscard]] int client() const { return client_.descriptor(); }
   [[nodiscard]] int inner() const { return inner_.get(); }
 
  private:
-  /// One direction: what was read and not taken yet, and whether its source has ended.
+  /// One direction: bytes that were read and not yet written, and whether the source has ended.
   struct Flow {
     std::string waiting;
-    std::size_t num_taken = 0;  // of it
+    std::size_t num_taken = 0;  // of `waiting`
     bool has_ended = false;
     bool is_end_told = false;
 
@@ -61,15 +61,15 @@ class RelayedConnection {
   };
 
   void Move(bool up, bool down, std::span<char> scratch);
-  /// Client to door, door to client: whether all that could be read now was.
+  /// Client to server, server to client. Returns whether all available bytes were read.
   bool MoveUp(std::span<char> scratch);
   bool MoveDown(std::span<char> scratch);
-  /// What waits; false if something still does.
+  /// Writes the buffered bytes; false if some remain.
   bool FlushUp();
   bool FlushDown();
   std::size_t SendUp(std::string_view bytes);
   std::size_t SendDown(std::string_view bytes);
-  /// As much as there is now and fits, TLS records one after the other. Nothing if the flow ended, or all is over.
+  /// Reads what is available and fits, TLS record by record. 0 if the flow or the connection ended.
   std::size_t ReadClient(std::span<char> scratch);
   void TellEnds();
   void InnerIsGone();
@@ -83,7 +83,7 @@ class RelayedConnection {
   Poller& poller_;
   Flow up_, down_;
   std::uint32_t client_interest_ = 0, inner_interest_ = 0;
-  bool is_inner_gone_ = false;  // and no more asked about
+  bool is_inner_gone_ = false;  // removed from the poller
   bool has_more_ = false;
   bool is_over_ = false;
   Refusal refusal_ = Refusal::kNone;

@@ -3,8 +3,8 @@
 
 namespace dhpmap::net {
 
-/// A file descriptor kept back, to accept one more connection when there are no others: a connection that nobody
-/// accepts keeps its listener ready for ever. Not thread-safe.
+/// A reserved file descriptor, to accept one more connection when there are no others: a pending connection that is not
+/// accepted keeps its listener ready for ever. Not thread-safe.
 class ReserveDescriptor {
  public:
   ReserveDescriptor() { Fill(); }
@@ -12,9 +12,9 @@ class ReserveDescriptor {
   ReserveDescriptor(const ReserveDescriptor&) = delete;
   ReserveDescriptor& operator=(const ReserveDescriptor&) = delete;
 
-  /// Frees it; false if there was none.
+  /// Frees it; false if it was not reserved.
   bool Use();
-  /// Takes it back; false if there is none to be had.
+  /// Reserves one again; false if none is available.
   bool Fill();
 
  private:

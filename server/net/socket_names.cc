@@ -16,7 +16,7 @@ struct Endpoint {
 
 using NameGetter = int (*)(int, sockaddr*, socklen_t*) noexcept;
 
-/// Empty for anything but TCP.
+/// Empty unless the socket is TCP.
 Endpoint EndpointOf(int socket, NameGetter get_name) {
   sockaddr_storage name{};
   socklen_t size = sizeof name;
@@ -29,7 +29,7 @@ Endpoint EndpointOf(int socket, NameGetter get_name) {
     return {};
   }
   Endpoint found{.host = host.data(), .port = port.data(), .is_v6 = name.ss_family == AF_INET6};
-  constexpr std::string_view kMapped = "::ffff:";  // an IPv4 client of a socket for both
+  constexpr std::string_view kMapped = "::ffff:";  // an IPv4 client of a dual-stack socket
   if (found.is_v6 && found.host.starts_with(kMapped) && found.host.find('.') != std::string::npos) {
     found = {.host = found.host.substr(kMapped.size()), .port = found.port};
   }

@@ -7,10 +7,10 @@
 
 namespace dhpmap::net {
 
-/// Of a connected socket: its peer's address, or user behind a unix: address. No certificate yet.
+/// The peer of a connected socket: its address, or its user for a unix: address. Without a certificate.
 PeerIdentity IdentityOf(int socket);
 
-/// The address that the peer has connected to, without the port: "127.0.0.1", "::1"; "" behind a unix: address.
+/// The address that the peer connected to, without the port: "127.0.0.1", "::1"; "" for a unix: address.
 std::string LocalAddress(int socket);
 
 }  // namespace dhpmap::net

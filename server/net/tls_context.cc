@@ -17,12 +17,12 @@ namespace dhpmap::net {
 namespace {
 
 constexpr char kCiphersOf12[] = "ECDHE+AESGCM:ECDHE+CHACHA20";
-/// OpenSSL's own list has groups that cost the server much more than the client.
+/// OpenSSL's default includes groups that cost the server much more than the client.
 constexpr char kGroups[] = "X25519:P-256:P-384";
-/// So that one call of the system brings more than a record.
+/// One system call may read several records.
 constexpr std::size_t kReadAhead_bytes = 64u << 10;
 
-/// Which protocol a session speaks is its app data: one of these.
+/// ALPN names. A session's app data points to one of them.
 constexpr std::array<unsigned char, 3> kHttp2Name = {2, 'h', '2'};
 constexpr std::array<unsigned char, 9> kHttp11Name = {8, 'h', 't', 't', 'p', '/', '1', '.', '1'};
 
@@ -82,8 +82,8 @@ Status UsePair(SSL_CTX* context, const TlsOptions& options) {
   return is_used ? Status::Ok() : InvalidArgument("the certificate in " + options.cert + " is too weak to be used");
 }
 
-/// OpenSSL 3.0 takes any number of KeyUpdates within one SSL_read, which would never return. Honest clients change keys
-/// once in hundreds of gigabytes.
+/// OpenSSL 3.0 processes any number of KeyUpdates within one SSL_read, which might never return. Honest clients change
+/// keys once in hundreds of gigabytes.
 void CountKeyUpdates(int is_written, int, int content, const void* message, std::size_t size, SSL* session, void*) {
   constexpr std::uintptr_t kMost = 64;
   static const int place = SSL_get_ex_new_index(0, nullptr, nullptr, nullptr, nullptr);
@@ -92,7 +92,7 @@ void CountKeyUpdates(int is_written, int, int content, const void* message, std:
   if (!is_key_update || place < 0) return;
   const auto count = reinterpret_cast<std::uintptr_t>(SSL_get_ex_data(session, place)) + 1;
   SSL_set_ex_data(session, place, reinterpret_cast<void*>(count));
-  if (count > kMost) ::shutdown(SSL_get_fd(session), SHUT_RDWR);  // the next read of it fails
+  if (count > kMost) ::shutdown(SSL_get_fd(session), SHUT_RDWR);  // makes the next read fail
 }
 
 Result<std::shared_ptr<SSL_CTX>> Make(const TlsOptions& options) {
@@ -132,7 +132,7 @@ Result<std::shared_ptr<TlsContext>> TlsContext::Load(const TlsOptions& options) 
 TlsContext::~TlsContext() = default;
 
 Status TlsContext::Reload() {
-  std::string stamp = Stamp();  // before: what changes meanwhile is read again
+  std::string stamp = Stamp();  // taken before, so that a change during the reload is read next time
   auto made = Make(options_);
   const MutexLock lock(mutex_);
   tried_ = std::move(stamp);
@@ -148,7 +148,7 @@ std::optional<Status> TlsContext::ReloadIfChanged() {
     const std::string stamp = Stamp();
     const MutexLock lock(mutex_);
     if (stamp == tried_ && failure_.empty()) return std::nullopt;
-    if (stamp == tried_) told = failure_;  // it may have failed for want of something else, such as descriptors
+    if (stamp == tried_) told = failure_;  // it may have failed for another reason, such as descriptors
   }
   Status status = Reload();
   if (!status.ok() && status.message() == told) return std::nullopt;

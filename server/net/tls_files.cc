@@ -40,7 +40,7 @@ Result<Descriptor> Open(const std::string& path) {
 
 Bio BioOf(const std::string& text) { return {BIO_new_mem_buf(text.data(), static_cast<int>(text.size())), BIO_free}; }
 
-/// Or OpenSSL would ask for one on the terminal.
+/// Without it, OpenSSL would ask for a passphrase on the terminal.
 int NoPassphrase(char* /*out*/, int /*size*/, int /*is_for_writing*/, void* /*unused*/) { return 0; }
 
 }  // namespace
@@ -54,7 +54,7 @@ Result<Certificates> ReadCertificates(const std::string& path) {
   const Bio in = BioOf(text);
   Certificates found;
   while (X509* one = PEM_read_bio_X509(in.get(), nullptr, NoPassphrase, nullptr)) found.emplace_back(one);
-  const bool is_damaged = ERR_GET_REASON(ERR_peek_last_error()) != PEM_R_NO_START_LINE;  // else there are no more
+  const bool is_damaged = ERR_GET_REASON(ERR_peek_last_error()) != PEM_R_NO_START_LINE;  // else the end of the file
   ERR_clear_error();
   if (found.empty() || is_damaged) return InvalidArgument(path + " is no certificate in PEM");
   return found;
@@ -62,7 +62,7 @@ Result<Certificates> ReadCertificates(const std::string& path) {
 
 Result<PrivateKey> ReadPrivateKey(const std::string& path) {
   DHPMAP_ASSIGN_OR_RETURN(const Descriptor file, Open(path));
-  struct stat found {};  // of what is open, not of what has the name by then
+  struct stat found {};  // of the open file, not of the path, which may have changed
   if (::fstat(file.get(), &found) != 0) return NotFound("cannot read " + path + ": " + std::strerror(errno));
   if ((found.st_mode & (S_IROTH | S_IWOTH | S_IWGRP)) != 0) {
     return FailedPrecondition("other users may read or write the private key " + path + ": chmod 600 it");

@@ -19,11 +19,11 @@ struct PemFree {
 using Certificates = std::vector<std::unique_ptr<x509_st, PemFree>>;
 using PrivateKey = std::unique_ptr<evp_pkey_st, PemFree>;
 
-/// At least one. NOT_FOUND, INVALID_ARGUMENT.
+/// Returns at least one certificate. NOT_FOUND, INVALID_ARGUMENT.
 Result<Certificates> ReadCertificates(const std::string& path);
 
-/// Without a passphrase. FAILED_PRECONDITION if users other than its owner and group may read it, or others than its
-/// owner write it; NOT_FOUND, INVALID_ARGUMENT.
+/// The key must have no passphrase. FAILED_PRECONDITION if others than owner and group may read the file, or others
+/// than the owner may write it; NOT_FOUND, INVALID_ARGUMENT.
 Result<PrivateKey> ReadPrivateKey(const std::string& path);
 
 }  // namespace dhpmap::net

@@ -11,11 +11,10 @@
 
 namespace dhpmap::net {
 
-/// Reads the files of a TlsContext again when they change, on a thread of its own that looks every `period`.
-/// Thread-safe.
+/// Reloads a TlsContext when its files change; a thread checks them every `period`. Thread-safe.
 class TlsWatch {
  public:
-  /// `on_reload` hears of every try, on the thread.
+  /// `on_reload` gets the result of every reload, on the thread.
   TlsWatch(std::shared_ptr<TlsContext> tls, std::chrono::milliseconds period,
            std::function<void(const Status&)> on_reload);
   ~TlsWatch();

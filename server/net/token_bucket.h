@@ -6,14 +6,14 @@
 
 namespace dhpmap::net {
 
-/// So many at once, and so many a second for good. Thread-compatible; whoever takes says what time it is.
+/// A token bucket: a burst, and a sustained rate. Thread-compatible; the caller supplies the time.
 class TokenBucket {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   constexpr TokenBucket(double burst, double per_s) : burst_(burst), per_s_(per_s), tokens_(burst) {}
 
-  /// False if there is none left.
+  /// Takes a token; false if none is left.
   bool Take(Time now) {
     Fill(now);
     if (tokens_ < 1) return false;
@@ -25,7 +25,7 @@ class TokenBucket {
     if (at_ != Time()) tokens_ = std::min(burst_, tokens_ + per_s_ * std::chrono::duration<double>(now - at_).count());
     at_ = now;
   }
-  /// Of the last Take or Fill.
+  /// State at the last Take or Fill.
   [[nodiscard]] bool has_given(double tokens) const { return tokens_ < burst_ - tokens; }
   [[nodiscard]] bool is_half_empty() const { return tokens_ < burst_ / 2; }
   [[nodiscard]] bool is_full() const { return tokens_ >= burst_; }

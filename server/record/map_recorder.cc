@@ -64,7 +64,7 @@ class MapRecorder final : public FrameRecorder {
   }
 
  private:
-  /// No failure of it reaches the map.
+  /// Its failures never reach the map.
   template <typename Fill>
   void Write(Fill&& fill) {
     if (has_stopped_) return;
@@ -85,7 +85,7 @@ class MapRecorder final : public FrameRecorder {
       v1::Record last;
       last.set_time_ns(options_.now_ns());
       last.mutable_full();
-      (void)writer_.Append(last);  // some bytes beyond the bound
+      (void)writer_.Append(last);  // a few bytes above the limit
     }
     if (options_.on_stopped) options_.on_stopped("no more frames of map '" + map_ + "' are recorded: " + why);
   }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files alone take inodes, and time to count.
+/// Limits inodes and the time of scanning.
 constexpr std::int64_t kMostRecords = 10'000;
 
 struct RecordTotals {
@@ -25,7 +25,7 @@ Result<RecordTotals> CountRecords(const std::string& path) {
   RecordTotals totals;
   for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
     if (it->path().extension() != kRecordExtension) continue;
-    std::error_code gone;  // somebody may take it away just now
+    std::error_code gone;  // the file may be deleted concurrently
     const auto size = it->file_size(gone);
     if (gone) continue;
     ++totals.num_files;
@@ -49,7 +49,7 @@ Result<std::unique_ptr<RecordDir>> RecordDir::Open(const std::string& path, std:
 }
 
 Result<RecordWriter> RecordDir::Begin(const std::string& map, std::int64_t now_ns) {
-  // Without the lock, which every frame of every map takes. What others write meanwhile is counted with the next file.
+  // Without the lock, which every frame of every map takes. Bytes written meanwhile are counted by the next scan.
   DHPMAP_ASSIGN_OR_RETURN(const RecordTotals totals, CountRecords(path_));
   {
     const MutexLock lock(mutex_);

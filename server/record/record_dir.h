@@ -17,13 +17,13 @@ class RecordDir {
   /// Creates the folder if necessary.
   static Result<std::unique_ptr<RecordDir>> Open(const std::string& path, std::int64_t max_bytes);
 
-  /// A new file for the input of a map. First rescans the folder, because old recordings may have been deleted.
+  /// Creates a file for the input of a map. Rescans the folder first, because recordings may have been deleted.
   /// RESOURCE_EXHAUSTED, without a file, if it is full or has 10,000 recordings.
   Result<RecordWriter> Begin(const std::string& map, std::int64_t now_ns) DHPMAP_EXCLUDES(mutex_);
-  /// False, without effect, if that would exceed the limit.
+  /// Reserves bytes. False, without effect, if that would exceed the limit.
   bool Take(std::size_t num_bytes) DHPMAP_EXCLUDES(mutex_);
 
-  /// Of all recordings, as far as known.
+  /// Size of all recordings at the last scan, plus bytes reserved since.
   [[nodiscard]] std::int64_t num_bytes() const DHPMAP_EXCLUDES(mutex_);
 
  private:

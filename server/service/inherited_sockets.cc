@@ -16,10 +16,10 @@
 namespace dhpmap::service {
 namespace {
 
-constexpr int kFirst = 3;  // descriptor, as the protocol has it
+constexpr int kFirst = 3;  // first descriptor of the protocol
 constexpr int kMost = 64;
 
-/// Of a decimal number that is all of the text; -1 if it is none.
+/// Parses a decimal number that is the whole text; else -1.
 int IntOf(std::string_view text) {
   int number = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -14,10 +14,10 @@ namespace dhpmap::service {
 namespace {
 
 constexpr char kMoreTime[] = "\nEXTEND_TIMEOUT_USEC=600000000";
-/// A manager that does not read for so long is not waited for.
+/// Limit of waiting for a manager that does not read.
 constexpr timeval kLongestSend{.tv_sec = 5, .tv_usec = 0};
 
-/// A status is one line of a datagram, which may hold others.
+/// A status must be one line, because a datagram may hold several assignments.
 std::string StatusLine(std::string_view status) {
   std::string line = "STATUS=" + std::string(status);
   std::replace(line.begin(), line.end(), '\n', ' ');

@@ -7,30 +7,30 @@
 
 namespace dhpmap::service {
 
-/// "value" of "NAME=value" in an environment; empty if there is none.
+/// "value" of "NAME=value" in an environment; empty if the variable is missing.
 std::string ValueIn(const std::vector<std::string>& environment, std::string_view name);
 
-/// Tells a service manager (systemd, podman) how the server fares: the datagrams of sd_notify(3), to the socket that
-/// NOTIFY_SOCKET names. What cannot be told is not: a server goes on without its manager. Thread-safe.
+/// Reports the server's state to a service manager (systemd, podman) by sd_notify(3) datagrams to the socket in
+/// NOTIFY_SOCKET. Failures are ignored: the server works without its manager. Thread-safe.
 class Notifier {
  public:
-  /// A path, "@name" for one of the abstract names, or empty: nobody is told.
+  /// A path, "@name" for an abstract name, or empty: no reports.
   explicit Notifier(const std::string& socket);
   ~Notifier();
   Notifier(const Notifier&) = delete;
   Notifier& operator=(const Notifier&) = delete;
 
-  /// Whether there is a manager to be told.
+  /// Whether there is a manager.
   [[nodiscard]] bool is_heard() const { return socket_ >= 0; }
 
-  /// How far the start is. Each asks for ten minutes until the next, in place of what the manager gives to a start.
+  /// Progress of the start. Each report extends the manager's start timeout by ten minutes.
   void TellStarting(std::string_view status) const;
   void TellReady(std::string_view status) const;
-  /// Settings are being read again; then TellReady.
+  /// Reports that settings are being reloaded; TellReady follows.
   void TellReloading() const;
-  /// The same ten minutes, for what is stored at the end.
+  /// Reports that the server stops; allows ten minutes for the final writes.
   void TellStopping(std::string_view status) const;
-  /// For the manager's watchdog.
+  /// Feeds the manager's watchdog.
   void TellAlive() const;
 
  private:

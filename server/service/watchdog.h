@@ -11,16 +11,16 @@
 
 namespace dhpmap::service {
 
-/// What WATCHDOG_USEC says: the manager ends a service that has not said for so long that it is alive. Nothing without
-/// it, if it is for another process (WATCHDOG_PID), or is no number above 0.
+/// The time in WATCHDOG_USEC: the manager ends a service that is silent for so long. Nothing if the variable is
+/// missing, for another process (WATCHDOG_PID), or not a positive number.
 std::optional<std::chrono::microseconds> WatchdogTime(const std::vector<std::string>& environment, int pid);
 
-/// Lets a pulse beat on a thread of its own, three times in the manager's time: one that waits behind a burst of calls
-/// is late, and nobody ends the server for it.
+/// Beats a pulse on its own thread, three times in the manager's time, so that a beat delayed by a burst of calls does
+/// not end the server.
 class Watchdog {
  public:
   Watchdog(std::chrono::microseconds time, LanePulse pulse);
-  /// Lets it beat no more.
+  /// Stops the beats.
   ~Watchdog();
 
  private:

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-// Of embedded.S.
+// From embedded.S.
 extern "C" {
 extern const char dhpmap_web_html_begin[], dhpmap_web_html_end[];
 extern const char dhpmap_web_css_begin[], dhpmap_web_css_end[];

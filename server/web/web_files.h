@@ -7,15 +7,15 @@
 
 namespace dhpmap::web {
 
-/// A file of the viewer (clients/web/dist), compressed in the program itself. The views last for ever.
+/// A file of the viewer (clients/web/dist), embedded in the program, compressed. Views are always valid.
 struct WebFile {
   std::string_view name;  ///< "index.html"
   std::string_view type;  ///< its Content-Type
   std::string_view gzipped;
-  std::size_t size = 0;  ///< before it was compressed
+  std::size_t size = 0;  ///< before compression
 };
 
-/// All of them, by name. Thread-safe.
+/// All files, sorted by name. Thread-safe.
 std::span<const WebFile> WebFiles();
 
 }  // namespace dhpmap::web

@@ -15,7 +15,7 @@ namespace {
 
 constexpr char kAllowedList[] = "options.allowed_collisions";
 
-/// What everything may touch, and what links and attached objects may beside that.
+/// Submaps that every part may touch, and those that a link or an attached object may touch in addition.
 struct TouchesByPart {
   std::set<SubmapId> all;
   std::map<std::string_view, std::set<SubmapId>> links;
@@ -30,7 +30,7 @@ Status CheckLinks(const RequestedLinks& links) {
       "has " + std::to_string(num_names) + " names, not one for each of " + std::to_string(links.num_parts));
 }
 
-/// Adds what may be touched.
+/// Adds the submaps of one entry to `touched`.
 Status AddTouched(const v1::AllowedCollision& allowed, const std::string& item, const MapSnapshot& map,
                   std::set<SubmapId>& touched) {
   if (allowed.submap().empty() == allowed.class_name().empty()) {
@@ -52,7 +52,7 @@ Status AddTouched(const v1::AllowedCollision& allowed, const std::string& item, 
   return Status::Ok();
 }
 
-/// Of the part of the robot that an item is about; null after an error.
+/// The set of the part that an entry is about; null after an error.
 Result<std::set<SubmapId>*> TouchedBy(const v1::AllowedCollision& allowed, const std::string& item,
                                       const std::set<std::string_view>& links, const std::vector<SubmapId>& attached,
                                       const MapSnapshot& map, TouchesByPart& touches) {
@@ -94,7 +94,7 @@ std::vector<SubmapId> Together(const std::set<SubmapId>& a, const std::set<Subma
   return both;
 }
 
-/// Of each list one, whoever has it.
+/// Makes one list for each distinct set; parts share them.
 TouchLists ListsOf(const RequestedLinks& links, const TouchesByPart& touches) {
   TouchLists parts;
   parts.lists = {Together(touches.all, {})};

@@ -12,7 +12,7 @@
 
 namespace dhpmap {
 
-/// The link of each body or sphere of a request, by name; may be empty.
+/// The link names of the bodies or spheres of a request; may be empty.
 struct RequestedLinks {
   const google::protobuf::RepeatedPtrField<std::string>& names;
   const char* field;      ///< "sphere_links"
@@ -25,7 +25,7 @@ struct AllowedTouches {
   std::vector<std::vector<SubmapId>> attached;  ///< of each attached object
 };
 
-/// Limit of different lists of allowed contacts: each costs a pass over all submaps.
+/// Limit of distinct lists of allowed contacts: each costs a pass over all submaps.
 inline constexpr std::size_t kMostTouchLists = 64;
 
 /// From options.allowed_collisions and the links of a request. `attached`: the attached objects; none without a robot.

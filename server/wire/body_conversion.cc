@@ -94,8 +94,8 @@ Result<std::size_t> MaxContactsFromProto(const v1::CheckCollisionsRequest& reque
 }
 
 std::size_t BytesOfAnswers(const v1::CheckCollisionsRequest& request) {
-  // Of a body: 144 for itself; 38 packed, arrays as they grow twice, and up to 52 as bytes; or a message and its bytes,
-  // with contacts of two vectors and two names.
+  // Bytes of a body: 144 in memory. Its answer: packed, 38 in arrays that may have doubled and up to 52 encoded; else a
+  // message and its encoding, with contacts of two vectors and two names.
   constexpr std::size_t kBody = 144, kPacked = 2 * 38 + 52, kMessage = 100, kContact = 620;
   const std::size_t num_bodies = NumBodies(request);
   if (request.packed()) return num_bodies * (kBody + kPacked);

@@ -22,8 +22,8 @@ std::size_t NumBodies(const v1::CheckCollisionsRequest& request);
 /// The link of each body.
 RequestedLinks LinksOf(const v1::CheckCollisionsRequest& request);
 
-/// Requested contacts of a body; 0: only whether there is one. INVALID_ARGUMENT for a number out of range or options
-/// that exclude each other.
+/// The requested number of contacts a body; 0: only whether there is one. INVALID_ARGUMENT for a number out of range,
+/// or options that exclude each other.
 Result<std::size_t> MaxContactsFromProto(const v1::CheckCollisionsRequest& request);
 
 /// Maximum memory of answering: the bodies, the answer, and its bytes.

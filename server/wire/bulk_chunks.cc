@@ -9,7 +9,7 @@ namespace dhpmap {
 namespace {
 
 constexpr std::size_t kMaxChunkBytes = 256 * 1024;
-constexpr std::size_t kBytesPerVoxel = 12 + 4 + 4 + 3 + 10 + 4;  // a class id is up to three bytes, none takes ten
+constexpr std::size_t kBytesPerVoxel = 12 + 4 + 4 + 3 + 10 + 4;  // a class id takes up to three bytes, no class ten
 constexpr int kVoxelsPerMessage =
     static_cast<int>((kMaxChunkBytes - 1024) / kBytesPerVoxel / kBlockVoxels) * kBlockVoxels;
 static_assert(kVoxelsPerMessage >= kBlockVoxels, "a message holds whole blocks");
@@ -47,7 +47,7 @@ Status BadMeshRequest(const char* field, const char* why) {
       .WithViolation(field, why);
 }
 
-/// The objects that a request for a whole map names.
+/// The objects named by a request for a whole map.
 Result<std::vector<SubmapId>> OnlyFromProto(const v1::GetSubmapMeshRequest& request, bool is_of_map) {
   constexpr int kMost = 1000;
   if (request.instance_ids_size() == 0) return std::vector<SubmapId>();
@@ -86,7 +86,7 @@ bool VoxelChunks::Next(v1::StreamSubmapVoxelsResponse& message) {
 
 bool MeshChunks::Next(v1::GetSubmapMeshResponse& message) {
   const bool is_first = !std::exchange(has_begun_, true);
-  // What the client has comes without data, but is named.
+  // Parts that the client has already are named without data.
   if (!file_.Next(*message.mutable_data()) && !(is_first && file_.is_held())) return false;
   message.set_revision(file_.revision());
   if (is_first) {

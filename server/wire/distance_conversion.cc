@@ -60,7 +60,7 @@ v1::QueryStatus::Code StatusToProto(DistanceStatus status) {
 }
 
 std::size_t BytesOfAnswers(const v1::QueryDistancesRequest& request) {
-  // Of a point: 24 for where it is; 44 packed and up to 50 as bytes; or a message with two vectors and two names.
+  // Bytes of a point: 24 for its position. Its answer: 44 packed and up to 50 encoded; else two vectors and two names.
   constexpr std::size_t kPacked = 24 + 44 + 50, kMessage = 24 + 420 + 200;
   const auto num_points = static_cast<std::size_t>(request.packed_points_m_size() / 3 + request.points_m_size());
   return num_points * (request.packed() ? kPacked : kMessage);

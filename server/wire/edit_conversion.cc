@@ -13,7 +13,7 @@
 namespace dhpmap {
 namespace {
 
-/// Reads the edits of one list; what is wrong is noted with its place.
+/// Reads the edits of one list; records errors with their fields.
 class Reader {
  public:
   Reader(const std::string& map, const LabelSet& label_set) : map_(map), label_set_(label_set) {}
@@ -196,7 +196,7 @@ class Reader {
     return {proto.presence() == v1::Submap::ABSENT ? Presence::kAbsent : Presence::kPresent};
   }
 
-  /// Of a message that has a box or a sphere.
+  /// Reads the region of a message with a box or a sphere.
   template <typename Message>
   Region RegionOf(const Message& proto, const std::string& field) {
     if (proto.has_box()) return BoxOf(proto.box(), field + ".box");
@@ -239,7 +239,7 @@ Result<EditList> EditListFromProto(const v1::ApplyEditsRequest& request, const s
   EditList list{.edits = {}, .expected_revision = request.expected_revision(), .map_etag = request.etag()};
   Reader reader(map, label_set);
   for (const v1::Edit& edit : request.edits()) {
-    if (list.edits.size() > kMaxEdits) break;  // refused as they are
+    if (list.edits.size() > kMaxEdits) break;  // the list will be refused
     list.edits.push_back(reader.Read(edit, list.edits.size()));
   }
   if (!reader.bad().violations().empty()) return reader.bad();

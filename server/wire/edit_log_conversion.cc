@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-/// 8-4-4-4-12 hexadecimal digits, of any version.
+/// 8-4-4-4-12 hexadecimal digits; any UUID version.
 bool IsUuid(std::string_view text) {
   constexpr std::string_view kForm = "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx";
   return std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(), [](char c, char form) {

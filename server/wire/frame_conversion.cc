@@ -16,15 +16,15 @@ namespace dhpmap {
 namespace {
 
 constexpr int kMaxSide_px = 16384;
-/// Depth, colour and segment, and an image on its way from one form to another.
+/// Depth, colour and segment, plus an image under conversion.
 constexpr std::size_t kBytesAPixel = 16, kBytesAPoint = 24;
 
-/// What the wire calls a field of mapping's, and all below it.
+/// The wire name of a field in mapping and of all fields below it.
 struct Term {
   std::string_view domain, wire;
 };
 
-/// Of a PanopticFrame; what is not named here has the same name.
+/// Fields of PanopticFrame; names that are not listed are equal.
 constexpr Term kFrameTerms[] = {
     {"T_map_sensor", "map_from_sensor"},
     {"camera.camera", "depth_camera.camera"},
@@ -36,7 +36,7 @@ constexpr Term kFrameTerms[] = {
     {"lidar.segments", "lidar.segment_ids"},
 };
 
-/// Of what ProjectImagesOntoScan takes.
+/// Arguments of ProjectImagesOntoScan.
 constexpr Term kLidarCameraTerms[] = {
     {"camera.P_image_lidar", "lidar.camera.image_from_lidar"},
     {"camera", "lidar.camera"},
@@ -64,13 +64,13 @@ Status Renamed(const Status& status, std::span<const Term> terms) {
   return renamed;
 }
 
-/// Adds the violations of `status` to `bad`; one of the message where it names no field.
+/// Adds the violations of `status` to `bad`; if it has none, adds its message for `field`.
 void Collect(const Status& status, const std::string& field, Status& bad) {
   for (const FieldViolation& violation : status.violations()) bad.AddViolation(violation.field, violation.description);
   if (!status.ok() && status.violations().empty()) bad.AddViolation(field, status.message());
 }
 
-/// The value, or an empty one with the reason added to `bad`.
+/// Returns the value, or an empty one after adding the error to `bad`.
 template <typename T>
 T Take(Result<T> result, const std::string& field, Status& bad) {
   if (result.ok()) return std::move(*result);
@@ -163,7 +163,7 @@ DepthCameraData CameraDataOf(const v1::DepthCameraFrame& frame, Status& bad) {
   for (const FieldViolation& violation : usable.violations()) {
     bad.AddViolation("depth_camera.camera." + violation.field, violation.description);
   }
-  if (!usable.ok()) return data;  // the sizes of the images would be checked against nonsense
+  if (!usable.ok()) return data;  // sizes of images would be checked against invalid ones
   const int width_px = camera.width_px(), height_px = camera.height_px();
   data.depth_m = Take(DepthFromProto(frame.depth(), width_px, height_px, "depth_camera.depth"), "depth", bad);
   if (frame.has_color()) {
@@ -176,7 +176,7 @@ DepthCameraData CameraDataOf(const v1::DepthCameraFrame& frame, Status& bad) {
   return data;
 }
 
-/// Gives the points colour and ids from the images of the camera beside the LiDAR.
+/// Sets colour and ids of the points from the images of the camera next to the LiDAR.
 void UseLidarCamera(const v1::LidarFrame& frame, LidarData& data, Status& bad) {
   const v1::LidarCamera& camera = frame.camera();
   if (camera.image_from_lidar_size() != 12) {

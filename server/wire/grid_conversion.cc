@@ -13,7 +13,7 @@ namespace dhpmap {
 namespace {
 
 constexpr double kMostNodes = 16e6;
-constexpr std::size_t kBytesPerNode = 4 + 12 + 10 + 1;  // an id of -1 is ten bytes
+constexpr std::size_t kBytesPerNode = 4 + 12 + 10 + 1;  // an id of -1 takes ten bytes
 static_assert(DistanceGrid::kMostInBatch * kBytesPerNode + 1024 <= 256 * 1024);
 
 Status BadGrid(const std::string& field, const std::string& what) {

@@ -43,7 +43,7 @@ Result<std::vector<Pixel>> RawPixels(const v1::Image& image, int width_px, int h
   return pixels;
 }
 
-/// Raw pixels of one type as the pixels of another.
+/// Converts raw pixels of one type to another.
 template <typename Raw, typename Pixel>
 Result<Image<Pixel>> RawImage(const v1::Image& image, int width_px, int height_px, std::string_view field) {
   DHPMAP_ASSIGN_OR_RETURN(std::vector<Raw> raw, RawPixels<Raw>(image, width_px, height_px, field));
@@ -53,7 +53,7 @@ Result<Image<Pixel>> RawImage(const v1::Image& image, int width_px, int height_p
   return result;
 }
 
-/// A file decoded, if it is of the size wanted. Its head is asked first: decoding takes the memory that the head says.
+/// Decodes a file of the expected size. Reads the header first, because decoding allocates what the header says.
 template <typename Decode>
 auto DecodeFile(const v1::Image& image, int width_px, int height_px, std::string_view field, Decode decode)
     -> decltype(decode(Bytes(image))) {

@@ -20,7 +20,7 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-/// The message that holds the field a dotted key names, and the field. Writes make the messages on the way.
+/// Finds the field with a dotted key and the message that contains it. Writing creates the messages on the way.
 template <typename AnyMessage>
 std::pair<AnyMessage*, const FieldDescriptor*> Locate(AnyMessage& root, std::string_view key) {
   AnyMessage* message = &root;

@@ -50,7 +50,7 @@ std::size_t NumAsked(int page_size, PageSizes sizes) {
   return static_cast<std::size_t>(page_size > 0 ? std::min(page_size, sizes.at_most) : sizes.by_default);
 }
 
-/// One that may be left out.
+/// Reads an optional number.
 Status TakeNumber(bool is_given, double value, double most, const std::string& field, double& number) {
   if (!is_given) return Status::Ok();
   number = value;
@@ -187,7 +187,7 @@ void ToProto(std::span<const Relation> relations, const MapInfo& map, Pager& pag
 }
 
 std::size_t BytesOfAnswers(const v1::SearchSubmapsRequest& request) {
-  constexpr std::size_t kMatch = 1200 + 600 + 1500;  // with its names; as bytes; both of a footprint of 30 corners
+  constexpr std::size_t kMatch = 1200 + 600 + 1500;  // message, encoding, both of a footprint of 30 corners
   return NumAsked(request.page_size(), kMatchPages) * kMatch;
 }
 

@@ -13,7 +13,7 @@
 namespace dhpmap {
 namespace {
 
-/// Whole numbers with dashes between; nothing if the text is not exactly so many.
+/// kNum integers separated by dashes; nothing for any other text.
 template <std::size_t kNum>
 std::optional<std::array<std::uint64_t, kNum>> NumbersIn(std::string_view text) {
   std::array<std::uint64_t, kNum> numbers{};
@@ -35,7 +35,7 @@ SubmapId IdOf(std::uint64_t number) { return SubmapId(static_cast<std::uint32_t>
 
 }  // namespace
 
-// A distance goes by its bits: the next page begins exactly behind it.
+// Encodes the distance by its bits, so that the next page starts exactly after it.
 std::string KeyOf(const SubmapMatch& match) {
   return std::to_string(std::bit_cast<std::uint64_t>(match.distance_m)) + '-' +
          std::to_string(match.submap->id().value);

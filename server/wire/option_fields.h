@@ -24,10 +24,10 @@ std::string ItemOfOption(const std::string& list, int number);
 /// INVALID_ARGUMENT for a list of more than kMostOptionItems.
 Status CheckOptionLength(const std::string& list, int length);
 
-/// NOT_FOUND for one that is not there, INVALID_ARGUMENT for what names none of this map.
+/// NOT_FOUND for a missing submap, INVALID_ARGUMENT for a name that is not a submap of this map.
 Result<SubmapId> OptionSubmapFromProto(const std::string& name, const std::string& field, const MapSnapshot& map);
 
-/// INVALID_ARGUMENT, which says what was near, for a class that there is not.
+/// INVALID_ARGUMENT, with similar names, for an unknown class.
 Result<ClassId> OptionClassFromProto(const std::string& name, const std::string& field, const LabelSet& label_set);
 
 }  // namespace dhpmap

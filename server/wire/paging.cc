@@ -12,14 +12,14 @@
 namespace dhpmap {
 namespace {
 
-// A token is HISTORY.REVISION.FINGERPRINT.AFTER, numbers in hexadecimal: opaque to clients, readable to us.
+// A token is HISTORY.REVISION.FINGERPRINT.AFTER, with hexadecimal numbers: opaque to clients.
 
 std::string Hex(std::uint64_t number) {
   std::array<char, 16> digits{};
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number, 16).ptr};
 }
 
-/// Takes a number and the dot behind it off the text.
+/// Removes a number and the dot after it from the text.
 template <typename Number>
 bool TakeHex(std::string_view& text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, 16);

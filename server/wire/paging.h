@@ -14,30 +14,30 @@
 
 namespace dhpmap {
 
-/// Where a list stands that is given out in pages: what the next page comes after, and in which state of the map the
-/// first one began.
+/// The position of a paged list: the item after which the next page starts, and the state of the map in which the first
+/// page began.
 struct PageMark {
-  std::uint64_t history_id = 0;  ///< 0: not of one map
+  std::uint64_t history_id = 0;  ///< 0: the list is not of one map
   std::int64_t revision = 0;
-  std::string after;  ///< key of the last item given out; empty = none yet
+  std::string after;  ///< key of the last returned item; empty: none yet
 };
 
-/// How many items a page of a list has.
+/// Page sizes of a list.
 struct PageSizes {
   int by_default = 1000;
   int at_most = 1000;
 };
 
-/// Gives out one page of a list. Keys ascend, so that whatever changes between two pages, nothing comes twice, and
-/// nothing is left out that was there all the time. Thread-compatible.
+/// Makes one page of a list. Keys ascend, so despite changes between pages no item comes twice, and none that existed
+/// all the time is missing. Thread-compatible.
 class Pager {
  public:
-  /// A page may go beyond by one item: far below the 4 MiB that clients of gRPC take by default.
+  /// A page may exceed this by one item: far below gRPC's default limit of 4 MiB.
   static constexpr std::size_t kMaxBytes = 1 << 20;
 
-  /// `request` has page_size and page_token; its token must come from a page of the same request. `now` is the present
-  /// state, `lost` what it has not in its past. INVALID_ARGUMENT for a negative size or another token; OUT_OF_RANGE,
-  /// reason HISTORY_LOST, if the token is of a state that was lost, or of another history.
+  /// `request` has page_size and page_token; the token must come from a page of the same request. `now` is the current
+  /// state, `lost` the states that are not in its past. INVALID_ARGUMENT for a negative size or a foreign token;
+  /// OUT_OF_RANGE, reason HISTORY_LOST, if the token's state was lost or is of another history.
   template <typename Request>
   static Result<Pager> Begin(const Request& request, const PageMark& now, const LostRevisions& lost = {},
                              PageSizes sizes = {}) {
@@ -47,16 +47,16 @@ class Pager {
     return Begin(request.page_size(), request.page_token(), bound, now, lost, sizes);
   }
 
-  /// Empty: from the beginning.
+  /// Empty: start at the beginning.
   [[nodiscard]] const std::string& after() const { return mark_.after; }
-  /// How many items to get ready: one more than fit, to know whether there is a next page.
+  /// Number of items to prepare: one more than fit, to know whether there is a next page.
   [[nodiscard]] std::size_t num_wanted() const { return static_cast<std::size_t>(max_items_) + 1; }
 
-  /// Whether an item goes into this page; once false, NextToken() tells where to go on.
+  /// Whether the item fits into this page; once false, NextToken() continues the list.
   bool Takes(const google::protobuf::Message& item, std::string key);
-  /// Ends the page at an item that was looked at and passed over: the next one begins behind it.
+  /// Ends the page after an item that was examined and skipped: the next page starts after it.
   void EndBehind(std::string key);
-  /// Empty if every item was taken.
+  /// Empty if every item fitted.
   [[nodiscard]] std::string NextToken() const;
 
  private:
@@ -71,12 +71,12 @@ class Pager {
   bool is_full_ = false;
 };
 
-/// INVALID_ARGUMENT for a token that is not of the list it is given to.
+/// INVALID_ARGUMENT for a token of another list.
 Status BadPageToken();
 
-/// The submap that a page of submaps comes after; nothing for the first. INVALID_ARGUMENT if the token names none.
+/// The submap after which a page starts; nothing for the first page. INVALID_ARGUMENT if the token names no submap.
 Result<std::optional<SubmapId>> SubmapIdFromPage(const Pager& pager);
-/// The same of a page whose keys are revisions.
+/// The same for pages whose keys are revisions.
 Result<std::optional<std::int64_t>> RevisionFromPage(const Pager& pager);
 
 }  // namespace dhpmap

@@ -94,7 +94,7 @@ Result<std::vector<Eigen::Vector3d>> PointsFromProto(const google::protobuf::Rep
 }
 
 std::size_t BytesOfAnswers(const v1::QueryPointsRequest& request) {
-  // Of a point: 24 for where it is; 34 packed and up to 48 as bytes; or a message with a name and a colour of its own.
+  // Bytes of a point: 24 for its position. Its answer: 34 packed and up to 48 encoded; else a name and its own colour.
   constexpr std::size_t kPacked = 24 + 34 + 48, kMessage = 24 + 260 + 100;
   const auto num_points = static_cast<std::size_t>(request.packed_points_m_size() / 3 + request.points_m_size());
   return num_points * (request.packed() ? kPacked : kMessage);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMaxDistance_m = 1000;
 constexpr double kMaxPadding_m = 10;
 constexpr int kMaxAttached = 100;
-constexpr std::size_t kMostPaddings = 16;  // each costs a search a point
+constexpr std::size_t kMostPaddings = 16;  // each costs a search for every point
 
 Result<std::vector<ClassId>> ClassesFromProto(const google::protobuf::RepeatedPtrField<std::string>& names,
                                               const std::string& list, const LabelSet& label_set) {
@@ -135,7 +135,7 @@ Status CheckTaken(const v1::QueryOptions& options, TakenOptions taken) {
   return Status::Ok();
 }
 
-/// How far to look; 3 unless said otherwise.
+/// The search radius; 3 m by default.
 Result<double> MaxDistanceFromProto(const v1::QueryOptions& options) {
   if (!options.has_max_distance_m()) return 3.0;
   const double distance_m = options.max_distance_m();
@@ -148,7 +148,7 @@ UnknownSpace UnknownSpaceOf(v1::QueryOptions::UnknownPolicy policy) {
   return policy == v1::QueryOptions::REPORT ? UnknownSpace::kReported : UnknownSpace::kOccupied;
 }
 
-/// What is attached, with its pose. `ids` are those of options.attached.
+/// The attached objects with their poses. `ids` are those of options.attached.
 Result<std::vector<AttachedSubmap>> CarriedFromProto(const v1::QueryOptions& options,
                                                      const std::vector<SubmapId>& ids) {
   std::vector<AttachedSubmap> carried;

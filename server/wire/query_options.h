@@ -22,7 +22,7 @@ struct TakenOptions {
   bool occupied = false;   ///< unknown space may be OCCUPIED
   bool tolerance = false;  ///< of distances
   bool allowed = false;    ///< allowed collisions
-  bool carries = false;    ///< there is a robot: poses and allowed collisions of attached objects
+  bool carries = false;    ///< the query has a robot: poses and allowed collisions of attached objects
 };
 inline constexpr TakenOptions kDistanceOptions{
     .padding = true, .attached = true, .max_age = true, .vacated = true, .tolerance = true};

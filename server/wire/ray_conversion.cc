@@ -21,7 +21,7 @@ Eigen::Vector3d PackedVector(const google::protobuf::RepeatedField<float>& xyz, 
   return {v[0], v[1], v[2]};
 }
 
-/// Puts a direction to unit length; false if the ray cannot be cast.
+/// Normalises a direction; false if the ray is invalid.
 bool MakeUnit(Ray& ray) {
   const double length = ray.direction.norm();
   if (!ray.origin_m.allFinite() || !(length > kLeastDirection) || !std::isfinite(length)) return false;
@@ -102,8 +102,8 @@ Result<std::vector<Ray>> RaysFromProto(const v1::CastRaysRequest& request, std::
 }
 
 std::size_t BytesOfAnswers(const v1::CastRaysRequest& request) {
-  // Of a ray: 48 for itself; 48 packed and up to 54 as bytes, arrays as they grow twice; or a message with two vectors
-  // and two names.
+  // Bytes of a ray: 48. Its answer: 48 packed in arrays that may have doubled and up to 54 encoded; else a message with
+  // two vectors and two names.
   constexpr std::size_t kPacked = 48 + 2 * 48 + 54, kMessage = 48 + 430 + 210;
   return NumRays(request) * (request.packed() ? kPacked : kMessage);
 }

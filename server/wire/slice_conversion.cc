@@ -21,7 +21,7 @@ Status BadSlice(const std::string& field, const std::string& what) {
   return InvalidArgument("the slice cannot be made").WithReason("BAD_POINTS").WithViolation(field, what);
 }
 
-bool IsInReach(double value_m) { return std::abs(value_m) <= kReach_m; }  // and not NaN
+bool IsInReach(double value_m) { return std::abs(value_m) <= kReach_m; }  // false for NaN
 
 Result<Eigen::AlignedBox2d> AreaFromProto(const v1::SliceArea& area) {
   const std::pair<const char*, double> values[] = {{"area.min_x_m", area.min_x_m()},
@@ -143,8 +143,8 @@ std::size_t BytesOfAnswers(const v1::QueryOccupancySliceRequest& request) {
                          ((area.max_y_m() - area.min_y_m()) / request.resolution_m() + 1);
     if (asked >= 0) num_cells = std::min(num_cells, asked);
   }
-  // A cell, its pixel and its byte in the file, in the message and on the way out; an object's address, number and
-  // bytes.
+  // Bytes of a cell: the cell, its pixel, and its byte in the file, in the message and in the encoding. With objects: a
+  // pointer, a number and its encoding.
   const std::size_t each = 5 + (request.include_objects() ? 8 + 4 + 3 : 0);
   return static_cast<std::size_t>(num_cells) * each;
 }

@@ -23,7 +23,7 @@ namespace {
 using google::protobuf::FieldMask;
 using google::protobuf::util::FieldMaskUtil;
 
-/// Classes named by id and by name; a list that is not given passes all.
+/// Classes given by id and by name; nothing if neither list is given: then all pass.
 std::optional<std::vector<ClassId>> ClassesFromProto(const v1::ListSubmapsRequest& request, const LabelSet& label_set,
                                                      Status& bad) {
   if (request.class_ids().empty() && request.class_names().empty()) return std::nullopt;
@@ -60,12 +60,12 @@ FieldMask MaskOf(const v1::UpdateSubmapRequest& request) {
   return mask;
 }
 
-/// Whether the mask names the field itself.
+/// Whether the mask names exactly this field.
 bool Names(const FieldMask& mask, std::string_view field) {
   return std::find(mask.paths().begin(), mask.paths().end(), field) != mask.paths().end();
 }
 
-/// Whether the mask names the field, or one that it is part of.
+/// Whether the mask names the field or a message that contains it.
 bool Covers(const FieldMask& mask, std::string_view field) {
   return std::any_of(mask.paths().begin(), mask.paths().end(), [field](const std::string& path) {
     return field == path || (field.size() > path.size() && field.starts_with(path) && field[path.size()] == '.');
@@ -179,7 +179,7 @@ Status CheckUpdateMask(const v1::UpdateSubmapRequest& request) {
   return bad.violations().empty() ? Status::Ok() : bad;
 }
 
-/// The single numbers of the pose that a mask names.
+/// The numbers of the pose that a mask names.
 PoseChange PoseChangeFromProto(const v1::Pose& pose, const FieldMask& mask) {
   const auto given = [&mask](const char* field, double value) {
     return Covers(mask, field) ? std::optional(value) : std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace dhpmap {
 
-/// One of the view's submaps. `reading`: whether voxels may be read from disk for its outline, which is left out
+/// Converts one of the view's submaps. `reading`: whether the outline may read voxels from disk; it is left out
 /// otherwise.
 v1::Submap ToProto(const Submap& submap, const MapView& view,
                    OutlineCache::Reading reading = OutlineCache::Reading::kNever);

@@ -21,7 +21,7 @@ Status BadMotion(const std::string& field, const std::string& what) {
 
 std::string ItemOf(const std::string& list, int number) { return list + "[" + std::to_string(number) + "]"; }
 
-/// Where the packed numbers of sphere s at waypoint h of trajectory b begin, counted in spheres.
+/// Index, in spheres, of the packed numbers of sphere s at waypoint h of trajectory b.
 std::size_t Position(const v1::CheckTrajectoryRequest& request, std::size_t b, std::size_t h, std::size_t s) {
   const auto num_waypoints = static_cast<std::size_t>(request.num_waypoints());
   return (b * num_waypoints + h) * static_cast<std::size_t>(request.num_spheres()) + s;
@@ -180,7 +180,7 @@ std::size_t BytesOfAnswers(const v1::CheckTrajectoryRequest& request) {
   const auto num_trajectories = static_cast<std::size_t>(
       request.packed_spheres_m_size() / 4 / std::max(1, request.num_waypoints()) + request.trajectories_size());
   const int asked = request.max_contacts() > 0 ? std::min(request.max_contacts(), kMostContacts) : kDefaultContacts;
-  // One motion at a time, with its cuts and knots; then an answer of messages and bytes with contacts of two vectors
+  // One motion at a time with its cuts and knots; then answers as messages and encoded, with contacts of two vectors
   // and names.
   constexpr std::size_t kCuts = 32 * (136 + 40), kPose = 128, kKnot = 40, kMessage = 150, kContact = 700;
   const std::size_t motion = most_waypoints * (kCuts + kPose * (1 + num_attached)) +

@@ -76,7 +76,7 @@ constexpr std::pair<SubmapPart, v1::SubmapEvent::Part> kParts[] = {
 
 constexpr ChangeKind kKinds[] = {ChangeKind::kCreated, ChangeKind::kChanged, ChangeKind::kRemoved, ChangeKind::kMerged};
 
-/// Around the tiles of a submap's grid, in the map frame.
+/// A box in the map frame around the tiles of a submap's grid.
 v1::AxisAlignedBox BoxInMap(const TileBox& box, const SubmapInfo& info) {
   const double side_m = kTileSide * kBlockSide * info.voxel_size_m;
   const Eigen::Vector3d low(box.low.x, box.low.y, box.low.z),
@@ -97,7 +97,7 @@ v1::AxisAlignedBox BoxToProto(const Eigen::AlignedBox3d& box) {
   return proto;
 }
 
-/// What is left to say of a submap that is gone.
+/// The remaining properties of a removed submap.
 v1::Submap ToProtoOfGone(const SubmapInfo& info, const MapInfo& map) {
   v1::Submap proto;
   proto.set_name(SubmapResourceName(map.name, info.id));

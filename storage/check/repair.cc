@@ -19,7 +19,7 @@ using sqlite::Statement;
 
 constexpr char kRepairTask[] = "repair the map";
 
-/// Has the row of a submap say what can be read of it.
+/// Updates the row of a submap to match its readable data.
 Status Reseal(Database& database, const SubmapRow& row, std::int64_t revision) {
   constexpr std::uint64_t kRepairGeneration = 1;
   Submap submap(row.info, kRepairGeneration);
@@ -41,7 +41,7 @@ Status Reseal(Database& database, const SubmapRow& row, std::int64_t revision) {
   DHPMAP_ASSIGN_OR_RETURN(Statement count,
                           database.Prepare("UPDATE tile_blobs SET num_blocks = ? WHERE blob_key = ?", kRepairTask));
   for (const StoredBlob& blob : miscounted) DHPMAP_RETURN_IF_ERROR(count.Bind(blob.num_blocks).Bind(blob.key).Run());
-  DHPMAP_ASSIGN_OR_RETURN(Statement forget,  // told anew when the map is opened for paging
+  DHPMAP_ASSIGN_OR_RETURN(Statement forget,  // determined again when the map is opened with paging
                           database.Prepare("UPDATE tiles SET cells = 0, extent = 0 WHERE owner_key = ?", kRepairTask));
   DHPMAP_RETURN_IF_ERROR(forget.Bind(row.key).Run());
   submap.UpdateBoundingSphere();
@@ -51,11 +51,11 @@ Status Reseal(Database& database, const SubmapRow& row, std::int64_t revision) {
   return writer.Write(row.map_key, submap, counts, totals.sum).status();
 }
 
-/// With a TSDF all of the tile goes: labels of nothing, and what is gone of it, say nothing.
+/// If the TSDF is dropped, so is the whole tile: without it labels and gone counts have no meaning.
 Status Drop(const BadTile& bad, TileRows& tiles) {
   DHPMAP_ASSIGN_OR_RETURN(const StoredLayers stored, tiles.Find(bad.owner_key, bad.index));
   const bool is_all = bad.layer == LayerNumber(BlobKind::kTsdfTile);
-  TileTotals ignored;  // counted anew when all is dropped
+  TileTotals ignored;  // counted again after the drops
   for (std::size_t layer = 0; layer < stored.size(); ++layer) {
     const auto number = static_cast<std::int64_t>(layer);
     if (!is_all && number != bad.layer) continue;
@@ -64,9 +64,9 @@ Status Drop(const BadTile& bad, TileRows& tiles) {
   return Status::Ok();
 }
 
-/// What belongs to nothing goes, and what is needed of blobs is counted anew.
+/// Deletes rows without an owner, and counts the references to blobs again.
 Status RepairReferences(Database& database) {
-  // Those of maps; with a submap its tiles and its box go, too.
+  // Rows of maps; deleting a submap deletes its tiles and its box, too.
   for (const char* table :
        {"submaps", "map_config", "label_classes", "feed_sessions", "lost_revisions", "merged_ids", "object_pairs",
         "kept_clear", "changes", "change_logs", "edits", "edit_targets", "edit_totals"}) {

@@ -20,7 +20,7 @@ using Kind = MapFault::Kind;
 
 constexpr char kVerifyTask[] = "verify the map";
 
-/// How often a request to stop is looked for.
+/// Tiles between checks of a stop request.
 constexpr std::int64_t kTilesALook = 64;
 
 std::string SubmapName(SubmapId id) { return "submap " + std::to_string(id.value); }
@@ -157,7 +157,7 @@ class Verifier {
     return Status::Ok();
   }
 
-  /// What can be said of a tile once all of its layers are read.
+  /// Checks that need all layers of a tile.
   void FinishTile(const SubmapRow& row, const BlockTile& tile) {
     const double side_m = kBlockSide * row.info.voxel_size_m;
     for (const BlockEntry& entry : tile.entries()) {
@@ -230,11 +230,11 @@ class Verifier {
     return Status::Ok();
   }
 
-  /// Of all maps: what belongs to nothing, and wrong counts of what refers to blobs. Blobs that are noted as dead
-  /// belong to nothing by right.
+  /// For all maps: finds rows without an owner, and wrong reference counts of blobs. Blobs recorded as dead
+  /// legitimately have no owner.
   Status VerifyReferences() {
     struct Question {
-      const char* sql;  ///< a number a fault, and what belongs before and after it
+      const char* sql;  ///< a key per fault; the text before and after it
       const char *before, *after;
     };
     constexpr Question kQuestions[] = {
@@ -271,7 +271,7 @@ class Verifier {
     return Status::Ok();
   }
 
-  /// Rows whose map, or edit, is not there.
+  /// Finds rows whose map or edit is missing.
   Status VerifyParents() {
     DHPMAP_ASSIGN_OR_RETURN(
         Statement select,

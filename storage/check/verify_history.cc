@@ -30,7 +30,7 @@ constexpr char kWrongChecksum[] = "has a wrong checksum";
 
 std::string EditName(std::int64_t revision) { return "edit " + std::to_string(revision); }
 
-/// A row of edit_tiles, and a side of it.
+/// A row of edit_tiles, and one side of it.
 struct EditTile {
   std::int64_t submap_id = 0;
   TileIndex index;
@@ -54,7 +54,7 @@ struct EditTile {
   }
 };
 
-/// What edit_totals keeps, as it is counted.
+/// The content of edit_totals, counted anew.
 using EditTotals = std::array<std::int64_t, 4>;
 
 Result<EditTotals> CountEdits(Database& database, std::int64_t map_key) {
@@ -93,7 +93,7 @@ class HistoryVerifier {
       return Status::Ok();
     }
     DHPMAP_RETURN_IF_ERROR(log.status());
-    // Those of another history are nobody's, and go with the next commit.
+    // Rows of another history are unused, and the next commit deletes them.
     if (!*log || (*log)->history_id != map_.info.history_id) return Status::Ok();
     return VerifyChanges(**log);
   }
@@ -118,7 +118,7 @@ class HistoryVerifier {
       const bool is_read = Changes().Read(select, row);
       ++totals.num_changes;
       totals.num_bytes += static_cast<std::int64_t>(row.blob.bytes.size());
-      if (row.last_revision <= log.complete_after) continue;  // left out: to be deleted by commits to come
+      if (row.last_revision <= log.complete_after) continue;  // ignored: later commits delete it
       DHPMAP_RETURN_IF_ERROR(VerifyChange(row, is_read));
       const bool follows = is_first ? row.previous_revision <= previous : row.previous_revision == previous;
       if (!follows) {
@@ -179,10 +179,10 @@ class HistoryVerifier {
     }
   }
 
-  /// Why an edit cannot stay in the log; empty if it can.
+  /// The reason why an edit cannot remain in the log; empty if it can.
   Result<std::string> ProblemOf(const EditRow& row, bool is_read, EditEntry& entry) const {
     if (!is_read || !Edits().IsIntact(row, row.seal)) return std::string(kWrongChecksum);
-    // Its revision will be given to another edit.
+    // Another edit will get its revision.
     if (row.revision > map_.info.revision) return std::string("is of a later revision than the map");
     const Status decoded = DecodeEditSummary(row.summary.bytes, entry);
     if (decoded.code() == StatusCode::kDataLoss) return "says what cannot be read: it " + decoded.message();
@@ -190,7 +190,7 @@ class HistoryVerifier {
     return std::string();
   }
 
-  /// What an undo undid is said to be undone.
+  /// Checks that targets of an undo are recorded as undone.
   Status VerifyTargetsOf(const EditRow& row, const EditEntry& entry, Statement& find) {
     for (const std::int64_t target : entry.summary.targets) {
       find.Bind(map_.key).Bind(target).Bind(row.revision).Bind(static_cast<std::int64_t>(row.kind));
@@ -280,7 +280,7 @@ class HistoryVerifier {
     return Status::Ok();
   }
 
-  /// `columns`: at whether the blobs of both sides are missing.
+  /// `columns`: positioned at whether the blobs of both sides are missing.
   Status VerifyEditTile(std::int64_t revision, const StateDelta& delta, const EditTile& tile,
                         const std::array<std::int64_t, 2>& keys, Columns& columns) {
     const std::string place = EditName(revision) + ": " + tile.Name();
@@ -351,7 +351,7 @@ Status Delete(Database& database, const char* sql, const std::vector<std::int64_
   return Status::Ok();
 }
 
-/// Says of each edit that is left what the log says that was undone or done again.
+/// Records for each remaining edit which edits it undid or redid.
 Status NoteTargets(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(Statement select, database.Prepare(Edits().Select("WHERE map_key = ?"), kRepairHistoryTask));
   DHPMAP_ASSIGN_OR_RETURN(

@@ -3,7 +3,7 @@
 
 namespace dhpmap {
 
-// Never inlined: GCC 12 warns of overflows that are not there (its bug 105329 and kin).
+// Never inlined: GCC 12 warns wrongly of overflows (its bug 105329 and similar).
 
 [[gnu::noinline]] void ByteWriter::PutBytes(ByteView value) { bytes_.insert(bytes_.end(), value.begin(), value.end()); }
 

@@ -10,9 +10,9 @@
 namespace dhpmap {
 namespace {
 
-/// Of the doubles of an event alone: a row's, and the sphere's.
+/// Minimum size of an event: the doubles of its row and sphere.
 constexpr std::size_t kLeastEvent_bytes = kLeastInfo_bytes + sizeof(double) * 4;
-/// Of the doubles of a sphere alone.
+/// Minimum size: the doubles of a sphere.
 constexpr std::size_t kLeastRegionEvent_bytes = sizeof(double) * 4;
 
 template <typename Coder, typename Box>
@@ -24,7 +24,7 @@ void DoBox(Coder& coder, Box& box) {
   }
 }
 
-/// Of a box in metres.
+/// Codes a box in metres.
 template <typename Coder, typename Box>
 void DoExtents(Coder& coder, Box& box) {
   for (auto* corner : {&box.min(), &box.max()}) {
@@ -49,7 +49,7 @@ void DoEvent(Coder& coder, BlobKind kind, Event& event) {
     coder.Do(before.class_id);
     DoSphere(coder, before.sphere);
   });
-  if (kind >= BlobKind::kChangeV2) DoFields(coder, 5, 5, event.info);  // whether it is locked
+  if (kind >= BlobKind::kChangeV2) DoFields(coder, 5, 5, event.info);  // locked or not
   if (kind >= BlobKind::kChangeV4) {
     DoOptional(coder, event.pose_boxes, [&coder](auto& boxes) {
       DoExtents(coder, boxes.before_m);
@@ -79,7 +79,7 @@ void DoChange(Coder& coder, BlobKind kind, Change& change) {
   for (auto& event : change.regions) DoRegionEvent(coder, event);
 }
 
-/// Of a blob; what is of another kind is taken for the newest, and refused as that.
+/// The kind of a blob; unknown kinds are treated as the newest, which refuses them.
 BlobKind KindOfChange(ByteView blob) {
   for (const BlobKind older : {BlobKind::kChangeV1, BlobKind::kChangeV2, BlobKind::kChangeV3}) {
     if (KindByte(blob) == static_cast<std::uint8_t>(older)) return older;
@@ -87,7 +87,7 @@ BlobKind KindOfChange(ByteView blob) {
   return BlobKind::kChangeV4;
 }
 
-/// Of a blob with a change: as old as it may be, so that versions before this one can read it, too.
+/// The oldest possible kind for a change, so that older versions can read it.
 BlobKind KindFor(const MapChange& change) {
   for (const SubmapEvent& event : change.submaps) {
     if (event.pose_boxes) return BlobKind::kChangeV4;

@@ -36,7 +36,7 @@ constexpr Tables MakeTables() {
 
 constexpr Tables kTables = MakeTables();
 
-/// Of bits that are inverted before and after.
+/// For CRCs that are inverted before and after.
 using Update = std::uint32_t (*)(std::span<const std::uint8_t> bytes, std::uint32_t crc);
 
 std::uint32_t UpdateByTables(std::span<const std::uint8_t> bytes, std::uint32_t crc) {

@@ -28,7 +28,7 @@ void DoSummary(Coder& coder, BlobKind kind, Summary& summary) {
   if (kind >= BlobKind::kEditSummaryV2) coder.Do(summary.restored_revision);
 }
 
-/// A name's length, the kind, and a sphere.
+/// The length of a name, the kind, and a sphere.
 constexpr std::size_t kLeastRegion_bytes = 2 + sizeof(double) * 4;
 
 template <typename Coder, typename Row>
@@ -36,7 +36,7 @@ void DoRow(Coder& coder, BlobKind kind, Row& row) {
   DoOptional(coder, row, [&coder, kind](auto& state) {
     DoInfo(coder, state.info);
     if (kind >= BlobKind::kEditRowsV2) DoFields(coder, 4, 4, state.info);  // sightings
-    if (kind >= BlobKind::kEditRowsV3) DoFields(coder, 5, 5, state.info);  // whether it is locked
+    if (kind >= BlobKind::kEditRowsV3) DoFields(coder, 5, 5, state.info);  // locked or not
     DoSphere(coder, state.sphere);
   });
 }
@@ -77,7 +77,7 @@ void DoRows(Coder& coder, BlobKind kind, Delta& delta) {
   }
 }
 
-/// What it says, if that is an older one.
+/// The kind of a blob, if it is an older one.
 BlobKind KindOfRows(ByteView blob) {
   for (const BlobKind older : {BlobKind::kEditRowsV1, BlobKind::kEditRowsV2}) {
     if (KindByte(blob) == static_cast<std::uint8_t>(older)) return older;

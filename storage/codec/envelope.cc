@@ -18,11 +18,11 @@ enum class Packing : std::uint8_t { kStored = 0, kZstd = 1 };
 constexpr std::size_t kChecksumBytes = 4;
 constexpr std::size_t kLeastBytes = 3 + kChecksumBytes;  // kind, packing, length of the plain part
 constexpr int kZstdLevel = 1;
-// What a packed part may grow to: a tile of the simplest blocks. Seal stores what would grow more, so only a forged
-// length can ask for more memory.
+// Limit of unpacked size: that of a tile with the simplest blocks. Seal stores larger parts unpacked, so only a forged
+// length can request more memory.
 constexpr std::size_t kFreeGrowthBytes = 512 * 1024;
 constexpr std::size_t kMaxGrowth = 64;
-constexpr std::size_t kMostUnpackedBytes = 256u << 20;  // some ten times the largest tile
+constexpr std::size_t kMostUnpackedBytes = 256u << 20;  // about ten times the largest tile
 
 struct ContextDeleter {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
@@ -58,7 +58,7 @@ std::size_t MaxUnpacked(std::size_t packed_bytes) {
   return std::min(kFreeGrowthBytes + kMaxGrowth * packed_bytes, kMostUnpackedBytes);
 }
 
-/// Appends the compressed bytes; false, with `blob` as it was, if that gains nothing.
+/// Appends the compressed bytes; false, leaving `blob` unchanged, if that saves nothing.
 bool AppendCompressed(ByteView bytes, Bytes& blob) {
   ZSTD_CCtx* context = Compressor();
   if (context == nullptr || bytes.empty()) return false;

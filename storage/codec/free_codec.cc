@@ -35,7 +35,7 @@ Status DecodeFreeTile(BlobKind kind, ByteView blob, TileIndex index, FreeTile& t
   tile = FreeTile();
   tile.Add(blocks);
   tile.set_last_seen_ns(last_seen_ns);
-  // A mask of all or nothing, or of a block that is free anyway, would have been written otherwise.
+  // Empty, full or redundant masks have another encoding.
   if (tile.empty() || tile.full() != blocks.full || tile.mixed() != blocks.mixed) {
     return DataLoss("is no tile of voxels");
   }

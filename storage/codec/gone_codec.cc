@@ -16,7 +16,7 @@ void Write(const GoneBlock& block, ByteWriter& plain, ByteWriter& packable) {
   }
 }
 
-/// Past the end of either it reads zeros.
+/// Reads zeros past the end of either reader.
 Status Read(ByteReader& plain, ByteReader& packable, GoneBlock& block) {
   Viewpoint last;
   last.stamp_ns = static_cast<std::int64_t>(plain.GetU64());

@@ -14,9 +14,9 @@
 namespace dhpmap {
 namespace {
 
-// Payload, all in the packable part. Of a tile first its cells, and those of blocks of which something is concluded;
-// then, as of a block, the mask of the voxels with counts (of a tile, block by block, and after them those of what is
-// concluded), planes of one byte a masked voxel, then, voxel by voxel, what the planes do not hold, as varints.
+// Payload, all in the packable part. For a tile first its cells, and the cells of blocks with conclusions. Then, for a
+// block, the mask of the voxels with counts (for a tile, those of all blocks, followed by the masks of conclusions),
+// planes with one byte for each masked voxel, and for each voxel as varints what the planes cannot hold.
 //   kForm: number of classes, plus kOtherInstances if the instances are not just "own, as often as all classes";
 //          or kLong: the voxel is not in the planes.
 //   kClass0/1: first class, as difference to the nearest voxel before it; kCount0/1: its count, likewise.
@@ -25,7 +25,7 @@ constexpr std::uint8_t kLong = 0x7F;
 constexpr std::uint8_t kOtherInstances = 0x80;
 constexpr std::uint32_t kMaxInPlane = 0xFFFF;
 
-/// Planes and varints of a block, or of the blocks of a tile one after the other, as they grow.
+/// Planes and varints of a block, or of the blocks of a tile one after the other, while they are built.
 struct Buffer {
   std::array<Bytes, kNumLabelPlanes> planes;
   Bytes rest;
@@ -60,7 +60,7 @@ std::uint8_t FormOf(const LabelHistograms& voxel) {
   return static_cast<std::uint8_t>(classes.size() | (IsOwnInstanceOnly(voxel) ? 0u : kOtherInstances));
 }
 
-/// Ids ascend, so each is written as what it adds to the one before.
+/// Ids ascend, so differences are written.
 template <typename Id>
 void PutCounts(std::span<const SeenCount<Id>> counts, std::uint32_t id, ByteWriter& writer) {
   for (const SeenCount<Id>& entry : counts) {
@@ -69,7 +69,7 @@ void PutCounts(std::span<const SeenCount<Id>> counts, std::uint32_t id, ByteWrit
   }
 }
 
-/// Appends `num` entries; false if they cannot be right.
+/// Appends `num` entries; false if they are invalid.
 template <typename Id>
 bool GetCounts(std::uint64_t num, std::uint64_t id, ByteReader& reader, std::vector<SeenCount<Id>>& counts) {
   constexpr std::uint64_t kMax = std::numeric_limits<std::uint32_t>::max();
@@ -101,7 +101,7 @@ std::uint16_t ZigZag16(std::int32_t value) {
   return static_cast<std::uint16_t>(ZigZag(static_cast<std::int16_t>(value)));
 }
 
-/// Reads voxels; where the whole block is inline and a voxel has one class, without building lists on the heap.
+/// Reads voxels; without heap lists for inline blocks and voxels with one class.
 class HistogramReader {
  public:
   explicit HistogramReader(const LabelBlock& block) : block_(block), is_inline_(block.NumOverflowVoxels() == 0) {}
@@ -124,7 +124,7 @@ class HistogramReader {
   LabelHistograms voxel_;
 };
 
-/// Undoes the planes and the rest for one voxel; `voxel` is empty.
+/// Decodes one voxel from the planes and the rest; `voxel` must be empty.
 bool ReadVoxel(std::uint8_t form, LabelCount first, ByteReader& rest, LabelHistograms& voxel) {
   if (form == kLong) return GetSized(rest, voxel.classes) && GetSized(rest, voxel.instances);
   const int num_classes = form & 0x7F;
@@ -181,14 +181,14 @@ void Append(const Buffer& buffer, ByteWriter& writer) {
   writer.PutBytes(buffer.rest);
 }
 
-/// How many voxels of these forms do not fit into a cell of a LabelBlock, or may not.
+/// Number of voxels whose form does not fit, or may not fit, into a cell of a LabelBlock.
 std::size_t NumNotInline(ByteView forms) {
-  constexpr std::uint8_t kMostInline = 2;  // classes, of the own instance
+  constexpr std::uint8_t kMostInline = 2;  // classes, with the own instance only
   return static_cast<std::size_t>(
       std::count_if(forms.begin(), forms.end(), [](std::uint8_t form) { return form > kMostInline; }));
 }
 
-/// Reads an empty block from its part of the planes, and takes its varints from `rest`.
+/// Decodes an empty block from its part of the planes and its varints in `rest`.
 Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumLabelPlanes>& planes, ByteReader& rest,
                  LabelBlock& block) {
   VoxelWalk::Grid& class_grid = VoxelWalk::GridOfThread();
@@ -204,7 +204,7 @@ Status ReadBlock(const VoxelWalk& walk, const std::array<ByteView, kNumLabelPlan
     };
     const LabelCount first{.id = read(class_grid, kClass0), .count = read(count_grid, kCount0)};
     constexpr std::uint8_t kOneClass = 1;
-    if (planes[kForm][n] == kOneClass && first.id < kMaxInPlane && first.count > 0) {  // nearly all
+    if (planes[kForm][n] == kOneClass && first.id < kMaxInPlane && first.count > 0) {  // almost all voxels
       block.SetFirst(site.linear, first);
       ++n;
       continue;
@@ -251,7 +251,7 @@ Status DecodeLabelBlock(ByteView blob, BlockIndex index, LabelBlock& block) {
 
 namespace {
 
-/// The cells of blocks of which something is concluded.
+/// The cells of blocks with conclusions.
 std::uint64_t ConcludedCells(const LayerBlocks<LabelBlock>& blocks) {
   std::uint64_t cells = 0;
   for (const auto& [cell, block] : blocks) {
@@ -260,7 +260,7 @@ std::uint64_t ConcludedCells(const LayerBlocks<LabelBlock>& blocks) {
   return cells;
 }
 
-/// False if it says that nothing is concluded.
+/// False if there are no conclusions.
 bool ReadConcluded(ByteReader& reader, VoxelMask& concluded) {
   for (std::uint64_t& word : concluded) word = reader.GetU64();
   return !HasNone(concluded);

@@ -26,12 +26,12 @@ using ReadPlanes = PlanesAt<const std::uint8_t>;
 constexpr double kStepsPerTruncation = 8192;
 constexpr std::int32_t kMaxDistanceSteps = 32767;
 
-// A weight is kept as the top 24 bits below its sign: exponent and 16 bits of mantissa.
+// A weight is stored as its top 24 bits below the sign: exponent and 16 bits of mantissa.
 constexpr int kWeightDroppedBits = 7;
 constexpr std::uint32_t kWeightMask = 0xFFFFFF;
 constexpr std::uint32_t kFiniteWeightMax =
     std::bit_cast<std::uint32_t>(std::numeric_limits<float>::max()) >> kWeightDroppedBits;
-/// The least code that still counts as observed.
+/// The smallest code that counts as observed.
 constexpr std::uint32_t kWeightMin =
     (std::bit_cast<std::uint32_t>(kMinObservedWeight) + (1u << kWeightDroppedBits) - 1) >> kWeightDroppedBits;
 
@@ -46,7 +46,7 @@ float WeightOf(std::int32_t code) {
   return std::bit_cast<float>((static_cast<std::uint32_t>(code) & kWeightMask) << kWeightDroppedBits);
 }
 
-/// The step by which distances are rounded, or 0 if one of them does not fit.
+/// The quantisation step of distances, or 0 if one of them does not fit.
 float DistanceStep(const TsdfBlock& block, const VoxelWalk& walk, double truncation_m) {
   const auto step_m = static_cast<float>(truncation_m / kStepsPerTruncation);
   if (!std::isnormal(step_m) || step_m < 0) return 0;
@@ -123,7 +123,7 @@ bool ReadWeights(const VoxelWalk& walk, const ReadPlanes& planes, TsdfBlock& blo
   return all_observed;
 }
 
-/// Green, red and blue, which are predicted alike and side by side; the fourth is nothing.
+/// Green, red and blue, predicted in parallel; the fourth is unused.
 struct Channels {
   std::array<std::int32_t, 4> values{};
 };
@@ -187,7 +187,7 @@ void ReadColors(const VoxelWalk& walk, const ReadPlanes& planes, TsdfBlock& bloc
   }
 }
 
-/// Whether zstd would gain on these bytes: true where two of them are equal more often than at random by a factor of 4.
+/// Whether zstd would compress these bytes: true if two of them are equal four times as often as at random.
 bool IsPackable(ByteView plane) {
   constexpr std::size_t kRandomValues = 256, kGain = 4;
   std::array<std::uint32_t, kRandomValues> histogram{};
@@ -197,10 +197,10 @@ bool IsPackable(ByteView plane) {
   return !plane.empty() && (equal_pairs - plane.size()) * kRandomValues > kGain * plane.size() * plane.size();
 }
 
-/// Planes of a block, or of the blocks of a tile one after the other, as they grow.
+/// Planes of a block, or of the blocks of a tile one after the other, while they are built.
 class PlaneBuffer {
  public:
-  /// Room for `count` voxels more in each plane.
+  /// Extends each plane by `count` voxels.
   Planes Extend(std::size_t count) {
     Planes at;
     for (std::size_t p = 0; p < kNumTsdfPlanes; ++p) {
@@ -210,7 +210,7 @@ class PlaneBuffer {
     }
     return at;
   }
-  /// Takes back what was said of distances that are kept exactly.
+  /// Removes distances that are stored exactly instead.
   void DropDistances(std::size_t count) {
     for (const TsdfPlane p : {kDistance0, kDistance1}) bytes_[p].resize(bytes_[p].size() - count);
   }
@@ -223,7 +223,7 @@ class PlaneBuffer {
   std::array<Bytes, kNumTsdfPlanes> bytes_;
 };
 
-/// Appends the planes of a block; without distances if `step_m` is 0.
+/// Appends the planes of a block, without distances if `step_m` is 0.
 void WritePlanes(const TsdfBlock& block, const VoxelWalk& walk, float step_m, PlaneBuffer& buffer) {
   const std::size_t count = walk.sites().size();
   const Planes planes = buffer.Extend(count);
@@ -233,7 +233,7 @@ void WritePlanes(const TsdfBlock& block, const VoxelWalk& walk, float step_m, Pl
   WriteColors(block, walk, planes);
 }
 
-/// Which planes go into the packable part.
+/// The planes to store in the packable part.
 std::uint8_t PackablePlanes(const PlaneBuffer& planes) {
   std::uint8_t packable = 0;
   for (int p = 0; p < kNumTsdfPlanes; ++p) {
@@ -246,7 +246,7 @@ void PutExactDistances(const TsdfBlock& block, const VoxelWalk& walk, ByteWriter
   for (const auto& site : walk.sites()) writer.PutF32(block.distance_m[site.linear]);
 }
 
-/// Reads a block of zeros; distances follow from `exact` if `step_m` is 0.
+/// Decodes into a zeroed block; distances come from `exact` if `step_m` is 0.
 Status ReadPlanesInto(const VoxelWalk& walk, float step_m, const ReadPlanes& planes, ByteReader& exact,
                       TsdfBlock& block) {
   if (!ReadWeights(walk, planes, block)) return DataLoss("holds a voxel without weight");
@@ -320,7 +320,7 @@ Bytes EncodeTsdfTile(const LayerBlocks<TsdfBlock>& blocks, TileIndex index, doub
     const float step_of_block_m = DistanceStep(*block, walk, truncation_m);
     WritePlanes(*block, walk, step_of_block_m, planes);
     if (step_of_block_m > 0) {
-      step_m = step_of_block_m;  // of all that have one: it follows from the truncation
+      step_m = step_of_block_m;  // equal for all blocks with a step, because it follows from the truncation
     } else {
       exact |= std::uint64_t{1} << cell;
       PutExactDistances(*block, walk, exact_writer);

@@ -4,14 +4,14 @@
 namespace dhpmap {
 namespace {
 
-/// The finalizer of SplitMix64: each bit of the outcome depends on all of `word`.
+/// The finalizer of SplitMix64: each bit of the result depends on the whole word.
 std::uint64_t Mix(std::uint64_t word) {
   word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9u;
   word = (word ^ (word >> 27)) * 0x94D049BB133111EBu;
   return word ^ (word >> 31);
 }
 
-/// Sums of these tell sets of rows apart. Not the checksum of blobs: it is linear, so errors could cancel out.
+/// Sums of these hashes identify sets of rows. The checksum of blobs is linear, so errors could cancel out.
 std::uint64_t HashOf(TileIndex index, std::int64_t layer, std::int64_t blob_key) {
   std::uint64_t hash = 0;
   for (const std::int64_t value :

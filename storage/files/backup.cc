@@ -39,20 +39,20 @@ Status CheckPlace(const std::string& path) {
 }
 
 Status MarkFile(const std::string& path) {
-  constexpr int kBusyTimeout_ms = 0;  // nobody else knows of it
+  constexpr int kBusyTimeout_ms = 0;  // no other connection knows the file
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Database copy,
                           sqlite::Database::Open(path, sqlite::OpenMode::kReadWrite, kBusyTimeout_ms));
   return MarkAsBackup(copy);
 }
 
-/// A copy may give space back even if the original cannot.
+/// Allows the copy to return free space, even if the original cannot.
 Status AllowCopyGivingBack(sqlite::Database& original) {
   DHPMAP_ASSIGN_OR_RETURN(const bool is_allowed, sqlite::AllowsGivingBack(original));
-  return is_allowed ? Status::Ok() : sqlite::AllowGivingBack(original);  // which changes only what VACUUM makes
+  return is_allowed ? Status::Ok() : sqlite::AllowGivingBack(original);  // affects only the output of VACUUM
 }
 
-/// While it is there, the copy that VACUUM makes is written as it is made. With the connection's own cache one of a few
-/// megabytes is written all at the end, which nothing stops.
+/// Limits the connection's cache, so that VACUUM writes the copy gradually. With the normal cache a file of a few
+/// megabytes is written at the very end, which cannot be interrupted.
 class SmallCache {
  public:
   static Result<SmallCache> For(sqlite::Database& database) {
@@ -75,10 +75,10 @@ class SmallCache {
   std::int64_t before_;
 };
 
-/// A file of which only we know.
+/// A file that only this object knows.
 class OpenBackup final : public StoreBackup {
  public:
-  /// Takes the descriptor over.
+  /// Takes ownership of the descriptor.
   OpenBackup(int descriptor, std::int64_t size_bytes) : descriptor_(descriptor), size_bytes_(size_bytes) {}
   ~OpenBackup() override { close(descriptor_); }
   OpenBackup(const OpenBackup&) = delete;

@@ -19,7 +19,7 @@ Status NotWritable(const std::string& what) {
   return FailedPrecondition("the database is not writable: " + what).WithReason("NOT_WRITABLE");
 }
 
-/// What is beside a database comes and goes: its log, its lock.
+/// Files next to a database come and go: its log, its lock.
 Status CheckFolder(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code error;
@@ -28,8 +28,7 @@ Status CheckFolder(const fs::path& file) {
   return NotWritable("files cannot be made in its folder");
 }
 
-/// A log that a killed server has left is read with it. Without one the file is all there is, and nothing is made
-/// beside it.
+/// Includes the log left by a killed server. Without a log the file is complete, and no file is created next to it.
 Result<sqlite::Database> OpenForLook(const fs::path& file) {
   constexpr int kBusyTimeout_ms = 1000;
   std::error_code missing;

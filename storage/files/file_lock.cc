@@ -24,7 +24,7 @@ Status CannotOpen(int error) {
   return FailedPrecondition("the database is not writable: cannot lock it: " + cause).WithReason("NOT_WRITABLE");
 }
 
-/// As its lock file says.
+/// The holder recorded in the lock file.
 std::string HolderIn(int descriptor) {
   std::array<char, 32> text{};
   const ssize_t size = pread(descriptor, text.data(), text.size() - 1, 0);
@@ -35,7 +35,7 @@ Status InUse(int descriptor) {
   return FailedPrecondition("the database is in use by " + HolderIn(descriptor)).WithReason("DATABASE_IN_USE");
 }
 
-/// The file itself, so that two names of one file by symbolic links have one lock file.
+/// Resolves symbolic links, so that all names of a file share one lock file.
 std::string Resolved(const std::string& database_path) {
   char* const resolved = realpath(database_path.c_str(), nullptr);
   std::string path = resolved ? resolved : database_path;
@@ -50,21 +50,21 @@ struct FileId {
 };
 FileId IdOf(const struct stat& file) { return {file.st_dev, file.st_ino}; }
 
-/// Whether the locked file is still the one of that name: its last holder may have removed it, or somebody put another
-/// in its place, between our open and lock.
+/// Whether the locked file still has this name: its last holder may have removed it, or somebody replaced it, between
+/// open and lock.
 bool IsStill(const std::string& path, int descriptor) {
   struct stat ours {
   }, named{};
   return fstat(descriptor, &ours) == 0 && stat(path.c_str(), &named) == 0 && IdOf(ours) == IdOf(named);
 }
 
-/// For the message to the next one; the lock holds without it.
+/// For error messages of other processes; the lock works without it.
 void WriteHolder(int descriptor) {
   const std::string holder = std::to_string(getpid());
   if (ftruncate(descriptor, 0) == 0) (void)!pwrite(descriptor, holder.data(), holder.size(), 0);
 }
 
-/// The databases that this process holds.
+/// The databases held by this process.
 struct Held {
   Mutex mutex;
   std::set<FileId> files DHPMAP_GUARDED_BY(mutex);
@@ -118,7 +118,7 @@ Status FileLock::LockName() {
 }
 
 Status FileLock::LockDatabase(const std::string& path) {
-  // Held throughout, so that no other thread opens the file between our look and our entry.
+  // Held throughout, so that no other thread opens the file between the check and the entry.
   const MutexLock lock(HeldHere().mutex);
   for (;;) {
     struct stat named {};
@@ -130,7 +130,7 @@ Status FileLock::LockDatabase(const std::string& path) {
     if (descriptor < 0) return CannotOpen(errno);
     struct stat opened {};
     if (fstat(descriptor, &opened) != 0) return CannotOpen(errno);  // not closed: see above
-    // Put in place of what we looked at, and held: stays open, because closing it would drop the holder's locks.
+    // The file was replaced by one that we hold: keep it open, because closing it would drop the holder's locks.
     if (HeldHere().files.contains(IdOf(opened))) return InUseHere();
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
@@ -156,7 +156,7 @@ FileLock::~FileLock() {
     close(database_);
   }
   if (descriptor_ < 0) return;
-  unlink(path_.c_str());  // before the lock ends, so that nobody's lock but ours can be on it
+  unlink(path_.c_str());  // before the lock is released, so that it is certainly our file
   close(descriptor_);
 }
 

@@ -27,9 +27,9 @@ constexpr char kReadImportTask[] = "read the file";
 
 using field_range::kMostMissed;
 using field_range::kMostNumber;
-/// As many are left for the submaps to come: ids that run over would be given twice.
+/// Limit of the next id, to leave as many for future submaps: ids that overflow would be assigned twice.
 constexpr std::uint32_t kMostNextId = std::uint32_t{1} << 31;
-/// Voxels have numbers of 32 bits, to either side.
+/// Voxel indices are signed 32-bit numbers.
 constexpr double kMostVoxels = 2147483648.0;
 constexpr std::int64_t kTilesToASide = std::int64_t{1} << (31 - kBlockSideLog2 - kTileSideLog2);
 
@@ -43,7 +43,7 @@ Status BadSubmap(const SubmapInfo& info, const std::string& field, const std::st
   return Bad("submaps[" + std::to_string(info.id.value) + "]." + field, why);
 }
 
-/// Says why, of what was refused by a rule that names fields.
+/// The reason from the error of a rule that names fields.
 std::string FirstOf(const Status& refused) {
   return refused.violations().empty() ? refused.message() : refused.violations().front().description;
 }
@@ -57,7 +57,7 @@ struct NamedNumber {
   bool is_good;
 };
 
-/// Why a text cannot be a name; empty if it can.
+/// The reason why a text is not a valid name; empty if it is.
 std::string WhyNoName(std::string_view text, std::size_t max_bytes) {
   if (text.size() > max_bytes) return "is longer than " + std::to_string(max_bytes) + " bytes";
   return FindInvalidUtf8(text) == std::string_view::npos ? "" : "is not UTF-8";
@@ -80,7 +80,7 @@ Status CheckNumbers(const MapInfo& map) {
   return Status::Ok();
 }
 
-/// Older maps may have names of classes that a new one may not; what is asked here is that they can be told of.
+/// Class names of older maps may be invalid for new maps; this only checks that they can be returned.
 Status CheckClasses(const LabelSet& label_set) {
   std::size_t num_bytes = 0;
   for (const LabelClass& label_class : label_set.classes()) {
@@ -105,7 +105,7 @@ Status CheckMap(const MapInfo& map) {
   return CheckClasses(*map.label_set);
 }
 
-/// The grid of a submap keeps to the rules of a map's; it may be another than the map's.
+/// A submap's grid must satisfy the rules for maps, and may differ from the map's.
 Status CheckGrid(const MapConfig& of_map, const SubmapInfo& info) {
   MapConfig config = of_map;
   config.voxel_size_m = info.voxel_size_m;
@@ -121,7 +121,7 @@ Status CheckPose(const SubmapInfo& info) {
   return problem.empty() ? Status::Ok() : BadSubmap(info, "pose", problem);
 }
 
-/// One without blocks is not looked at by what verifies files.
+/// For submaps without blocks, whose sphere the verification of files does not check.
 Status CheckSphere(const SubmapRow& row) {
   const double most_m = kMostVoxels * row.info.voxel_size_m;
   const BoundingSphere& sphere = row.sphere;
@@ -132,7 +132,7 @@ Status CheckSphere(const SubmapRow& row) {
 template <typename Value>
 constexpr bool kIsNumber = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
 
-/// Each number within the limits that the list of fields has.
+/// Checks each number against the limits in the list of fields.
 Status CheckSubmapNumbers(const MapInfo& map, const SubmapInfo& info) {
   if (!(info.id < map.next_submap_id)) return BadSubmap(info, "id", "is out of range");
   if (info.revision < 0 || info.revision > map.revision) return BadSubmap(info, "revision", "is out of range");
@@ -167,7 +167,7 @@ bool AreAscending(const std::vector<ClassTotal>& counts) {
                             [](const ClassTotal& a, const ClassTotal& b) { return !(a.id < b.id); }) == counts.end();
 }
 
-/// Around what is within its grid, by no more corners than any that was found has.
+/// Checks that the outline is within the grid and has no more corners than any outline that mapping made.
 Status CheckOutline(const SubmapRow& row) {
   constexpr std::size_t kMostCorners = 4096;
   if (row.outline == nullptr || !row.outline->outline) return Status::Ok();
@@ -195,7 +195,7 @@ Status CheckSubmap(const MapInfo& map, const SubmapRow& row) {
 
 struct TableBound {
   const char* table;
-  const char* what;  ///< for messages, which name no table
+  const char* what;  ///< for messages, which do not name tables
   std::int64_t most;
 };
 
@@ -210,12 +210,12 @@ std::vector<TableBound> BoundsOfTables(const RowBounds& bounds) {
       {"merged_ids", "merged submaps", bounds.num_merged_ids},
       {"object_pairs", "pairs of submaps", bounds.num_pairs},
       {"tiles", "tiles", bounds.num_tiles},
-      // What verifying compares with the tiles, in memory.
+      // Rows that verification compares with the tiles in memory.
       {"tile_blobs", "blobs", bounds.num_tiles},
       {"shared_blobs", "shared blobs", bounds.num_tiles},
       {"dead_blobs", "blobs without use", bounds.num_tiles},
       {"edit_tiles", "edited tiles", bounds.num_tiles},
-      // Of older files: what tiles are made of.
+      // Parts of tiles in older files.
       {"tsdf_blocks", "blocks", bounds.num_tiles},
       {"label_blocks", "blocks of labels", bounds.num_tiles},
       {"gone_blocks", "blocks of what is gone", bounds.num_tiles},
@@ -232,7 +232,7 @@ Status CheckRowCounts(Database& file, const RowBounds& bounds) {
         const std::int64_t num_tables,
         file.QueryInt("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = '" + table + "'",
                       kReadImportTask));
-    if (num_tables == 0) continue;  // of another schema
+    if (num_tables == 0) continue;  // not in this schema
     DHPMAP_ASSIGN_OR_RETURN(
         const std::int64_t num_rows,
         file.QueryInt("SELECT count(*) FROM (SELECT 1 FROM " + table + " LIMIT " + std::to_string(bound.most + 1) + ")",
@@ -258,7 +258,7 @@ Status ValidateImported(const MapInfo& map, const std::vector<SubmapRow>& submap
   DHPMAP_RETURN_IF_ERROR(CheckMap(map));
   for (std::size_t i = 0; i < submaps.size(); ++i) {
     DHPMAP_RETURN_IF_ERROR(CheckSubmap(map, submaps[i]));
-    // The index that keeps ids from being there twice comes with the file.
+    // The unique index on ids comes from the file and cannot be trusted.
     const bool is_in_order = i == 0 || submaps[i - 1].info.id < submaps[i].info.id;
     if (!is_in_order) return BadSubmap(submaps[i].info, "id", "is there twice");
   }

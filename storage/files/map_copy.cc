@@ -23,10 +23,10 @@ using sqlite::Transaction;
 constexpr char kReadFileTask[] = "read the file";
 constexpr char kAddMapTask[] = "add the map";
 constexpr std::uint64_t kGeneration = 1;
-/// Some milliseconds of the writer's time.
+/// Takes the writer a few milliseconds.
 constexpr std::size_t kStepBytes = 512u << 10;
 
-/// What the map's own row is written from: its submaps without their voxels.
+/// A snapshot for writing the map's row: its submaps without voxels.
 MapSnapshot WithoutVoxels(MapInfo info, const std::vector<SubmapRow>& rows) {
   std::vector<std::shared_ptr<const Submap>> submaps;
   submaps.reserve(rows.size());
@@ -34,15 +34,15 @@ MapSnapshot WithoutVoxels(MapInfo info, const std::vector<SubmapRow>& rows) {
   return {std::move(info), std::move(submaps)};
 }
 
-/// What a database has by now of the blobs of a file, whose keys there are ascending.
+/// The blobs of a file that were copied to the database; their keys in the file ascend.
 struct Brought {
   const std::vector<std::int64_t>& blobs;
-  const std::vector<BroughtSize>& sizes;  ///< of each
-  std::int64_t first_key;                 ///< of the first in the database
+  const std::vector<BroughtSize>& sizes;  ///< of each blob
+  std::int64_t first_key;                 ///< of the first blob in the database
 };
 
-/// Copies the rows of one owner after another from a file, whose blobs are there already. While it does, others wait
-/// for the writer: it does not touch the pages of blobs.
+/// Copies the rows of one owner after another from a file whose blobs were copied before. Other writers wait meanwhile,
+/// so it does not touch pages of blobs.
 class TileRowCopier {
  public:
   static Result<TileRowCopier> Prepare(Database& file, Database& database, const Brought& brought) {
@@ -75,7 +75,7 @@ class TileRowCopier {
     }
   }
 
-  /// Says of each blob how many more than one refer to it.
+  /// Records for each shared blob the number of additional references.
   Status NoteShared(Database& database) const {
     DHPMAP_ASSIGN_OR_RETURN(
         Statement insert, database.Prepare("INSERT INTO shared_blobs (blob_key, num_more) VALUES (?, ?)", kAddMapTask));
@@ -110,7 +110,7 @@ class TileRowCopier {
 MapCopy::~MapCopy() {
   if (!keys_) return;
   target_.kept.LetGo(*keys_);
-  // After it the store looks whether something is to be collected; if that fails, the next commit does.
+  // After this the store checks for garbage; if that fails, the next commit does.
   (void)target_.write(Durability::kNormal, [](Database&) { return Status::Ok(); });
 }
 
@@ -149,7 +149,7 @@ Status MapCopy::BringBlobs(const std::stop_token& stop) {
   return Status::Ok();
 }
 
-/// Reads some blobs, then writes them: the disk is not waited for while others wait for the writer.
+/// Reads some blobs, then writes them, so that other writers do not wait for reads.
 Status MapCopy::BringStep(std::size_t& next) {
   struct Blob {
     std::int64_t num_blocks = 0;

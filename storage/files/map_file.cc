@@ -22,7 +22,7 @@ using sqlite::Database;
 using sqlite::Statement;
 using sqlite::Transaction;
 
-/// Of a file that comes in; the largest tile is some MiB.
+/// Of an imported file; the largest tile takes a few MiB.
 constexpr int kMostValueBytes = 64 << 20;
 constexpr char kExportTask[] = "export the map";
 constexpr int kBusyTimeout_ms = 1000;
@@ -31,10 +31,9 @@ Status NotAMapFile(const std::string& why) {
   return InvalidArgument("the file is no exported map: " + why).WithReason("BAD_MAP");
 }
 
-/// A backup, but of the time of its state, so that a state, once all of it is written, is always the same file.
-/// Rows with the keys that they have, which their checksums cover. Both databases have the tables that the same steps
-/// made, so their columns are in the same order. Left out: how far the changes of the map's history are told, its lost
-/// revisions, and what else means something in that history only.
+/// A backup without the time of its state, so that a complete state always gives the same file. Copies rows with their
+/// keys, which checksums cover. Both databases were created by the same steps, so columns have the same order. Leaves
+/// out the state of the change log, lost revisions, and other data that are only valid in the map's history.
 constexpr char kCopyMap[] = R"(
 INSERT INTO main.map_config SELECT * FROM source.map_config WHERE map_key = (SELECT map_key FROM main.maps);
 INSERT INTO main.label_classes SELECT * FROM source.label_classes WHERE map_key = (SELECT map_key FROM main.maps);
@@ -54,7 +53,7 @@ INSERT INTO main.backups (time_ns) SELECT update_time_ns FROM main.maps;
 )";
 
 Status CopyRows(Database& file, const std::string& name) {
-  // Not a transaction that begins with writing: that would be one of the source, too.
+  // Must not begin as a write transaction, which would lock the source, too.
   DHPMAP_ASSIGN_OR_RETURN(Transaction transaction, Transaction::BeginRead(file));
   DHPMAP_ASSIGN_OR_RETURN(Statement map,
                           file.Prepare("INSERT INTO main.maps SELECT * FROM source.maps WHERE name = ?", kExportTask));
@@ -69,15 +68,15 @@ Status WriteTo(Database& file, const std::string& source_path, const std::string
   DHPMAP_RETURN_IF_ERROR(
       file.Execute("PRAGMA page_size = 4096; PRAGMA auto_vacuum = INCREMENTAL; "
                    "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA temp_store = MEMORY",
-                   kExportTask));  // what is not finished is removed
+                   kExportTask));  // an incomplete file is removed
   DHPMAP_RETURN_IF_ERROR(MigrateSchema(file));
   DHPMAP_ASSIGN_OR_RETURN(Statement attach, file.Prepare("ATTACH ? AS source", kExportTask));
   DHPMAP_RETURN_IF_ERROR(attach.Bind(source_path).Run());
-  if (stop.stop_requested()) return NobodyWaits();  // an interrupt between two statements means nothing to SQLite
+  if (stop.stop_requested()) return NobodyWaits();  // SQLite ignores an interrupt between two statements
   return CopyRows(file, name);
 }
 
-/// Ours and nothing else: a trigger or view of somebody else's would run with our statements.
+/// Only our own schema is permitted: a foreign trigger or view would run with our statements.
 Status CheckFile(Database& file) {
   DHPMAP_RETURN_IF_ERROR(
       file.Execute("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; "
@@ -90,18 +89,18 @@ Status CheckFile(Database& file) {
       const std::int64_t num_sound,
       file.QueryInt("SELECT count(*) FROM pragma_quick_check WHERE quick_check = 'ok'", "read the file"));
   if (num_sound != 1) return DataLoss("the file is damaged").WithReason("DAMAGED_MAP");
-  return CheckRowCounts(file);  // before anything is read into memory
+  return CheckRowCounts(file);  // before reading rows into memory
 }
 
-/// To the present schema. What an older one had in other tables is counted once more, as the rows that it became.
+/// Migrates the file to the current schema. Rows converted from older tables are counted again.
 Status BringUpToDate(Database& file) {
   DHPMAP_RETURN_IF_ERROR(file.Execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = OFF", "read the file"));
   DHPMAP_RETURN_IF_ERROR(MigrateSchema(file));
   DHPMAP_RETURN_IF_ERROR(CheckRowCounts(file));
-  return CheckTileIndices(file);  // tiles are looked through by what is left of their numbers in 32 bits
+  return CheckTileIndices(file);  // later code uses their low 32 bits
 }
 
-/// Errors of SQLite, as they concern the file that was given.
+/// Converts errors of SQLite to errors of the given file.
 Status OfFile(const Status& status) {
   if (status.reason() == Reason("FOREIGN_DATABASE") ||
       (status.code() == StatusCode::kDataLoss && status.reason().empty())) {
@@ -118,7 +117,7 @@ Result<std::string> OnlyMapOf(Database& file) {
   return NotAMapFile("it holds " + std::to_string(names.size()) + " maps");
 }
 
-/// Of rows whose checksums hold.
+/// Checks the values of rows whose checksums are correct.
 Status CheckSense(Database& file, const std::string& name) {
   DHPMAP_ASSIGN_OR_RETURN(const MapRow map, ReadMap(file, name));
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> submaps, ReadSubmaps(file, map.key));

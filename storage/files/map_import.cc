@@ -22,15 +22,15 @@ Status CannotKeep(int error) {
           std::string("cannot keep the file: ") + std::strerror(error)};
 }
 
-/// Commits of all maps go on while one comes in: it leaves them so much of the disk.
+/// Disk space to leave for commits of all maps during an import.
 constexpr std::uint64_t kLeftFree_bytes = 256u << 20;
-/// Between looks at how much there is.
+/// Between checks of the free space.
 constexpr std::uint64_t kLookEvery_bytes = 8u << 20;
 
-/// Whether there is room for the file's blobs, which it will be copied to, too.
+/// Whether the disk has space for the file's blobs, which are copied once more.
 Status CheckRoomForFile(int descriptor, std::uint64_t file_bytes) {
   struct statvfs disk {};
-  if (fstatvfs(descriptor, &disk) != 0) return Status::Ok();  // then writing tells
+  if (fstatvfs(descriptor, &disk) != 0) return Status::Ok();  // then writing reports it
   const std::uint64_t free_bytes = std::uint64_t{disk.f_bavail} * disk.f_frsize;
   if (free_bytes >= file_bytes + kLeftFree_bytes) return Status::Ok();
   return ResourceExhausted("the file would leave too little of the disk: it takes twice its size, and " +
@@ -39,7 +39,7 @@ Status CheckRoomForFile(int descriptor, std::uint64_t file_bytes) {
 
 class FileImport final : public MapImport {
  public:
-  /// Takes the descriptor over, and the file.
+  /// Takes ownership of the descriptor and the file.
   FileImport(std::string path, int descriptor, ImportTarget target)
       : path_(std::move(path)), descriptor_(descriptor), target_(std::move(target)) {}
   ~FileImport() override {
@@ -66,7 +66,7 @@ class FileImport final : public MapImport {
   }
 
   Result<std::string> LookThrough(const std::stop_token& stop) override {
-    Close();  // before SQLite has locks on it
+    Close();  // before SQLite locks it
     DHPMAP_ASSIGN_OR_RETURN(MapFile file, MapFile::Open(path_, stop));
     std::string name = file.map_name();
     copy_.emplace(std::move(file), target_);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kSuffix = ".before-v";
 constexpr char kTask[] = "see how large a copy would be";
 
-/// Where a link leads, so that the copy is on the same disk.
+/// The target of a link, so that the copy is on the same disk.
 fs::path FileOf(const std::string& path) {
   std::error_code error;
   fs::path file = fs::weakly_canonical(path, error);
@@ -35,7 +35,7 @@ fs::path FolderOf(const std::string& path) {
 
 std::string Mebibytes(std::int64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
 
-/// Schema of a database that nobody writes to; nothing if it is none of ours.
+/// The schema version of a database without writers; nothing if it is not ours.
 std::optional<std::int64_t> SchemaOf(const std::string& file) {
   constexpr char kLook[] = "see of which schema a copy is";
   if (std::error_code error; !fs::is_regular_file(file, error)) return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<std::int64_t> SchemaOf(const std::string& file) {
   return *schema;
 }
 
-/// When it was last written to; nothing if it is not there or empty.
+/// The time of its last write; nothing if it is missing or empty.
 std::optional<fs::file_time_type> WrittenAt(const std::string& file) {
   std::error_code error;
   if (const auto size = fs::file_size(file, error); error || size == 0) return std::nullopt;
@@ -55,8 +55,8 @@ std::optional<fs::file_time_type> WrittenAt(const std::string& file) {
   return error ? std::nullopt : std::optional(time);
 }
 
-/// Whether that copy is of what the upgrade of a database of schema `from` began with: one that was interrupted has
-/// brought the database further, or not yet written to it.
+/// Whether the copy was made for an upgrade from schema `from`. An interrupted upgrade has advanced the database, or
+/// not yet changed it.
 bool IsOfThisUpgrade(const std::string& copy, const std::string& path, std::int64_t from) {
   const auto schema = SchemaOf(copy);
   if (!schema || *schema > from) return false;
@@ -81,7 +81,7 @@ Status CheckRoom(std::int64_t needed_bytes, const std::string& path, const Upgra
       " are free. Make room, or go without (--no-backup)");
 }
 
-/// At `place` as a whole or not at all.
+/// Writes the copy to `place`, completely or not at all.
 Status WriteUpgradeCopy(sqlite::Database& database, const std::string& path, const std::string& place,
                         const SchemaProgress& progress) {
   const std::string unfinished = UnfinishedPath(FileOf(path).string());
@@ -143,7 +143,7 @@ Status WithWayBack(Status status, const std::string& path) {
   if (status.reason() != "NEWER_SCHEMA") return status;
   const fs::path file = FileOf(path);
   const std::string prefix = file.filename().string() + std::string(kSuffix);
-  std::optional<std::int64_t> first;  // of those that we can open
+  std::optional<std::int64_t> first;  // the oldest that this version can open
   std::error_code error;
   for (fs::directory_iterator it(FolderOf(path), error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();

@@ -17,10 +17,10 @@ constexpr char kReadChangesTask[] = "read what was changed";
 constexpr char kWriteChangesTask[] = "write what was changed";
 constexpr char kTrimChangesTask[] = "delete what was changed long ago";
 
-/// Of those beyond the limits so many go with one commit, which adds one.
+/// Limit of changes trimmed in one commit, which adds one.
 constexpr std::int64_t kMostChangesTrimmed = 16;
 
-/// The log that the change goes on with.
+/// The log to which the change is appended.
 Result<ChangeLogRow> LogBefore(Database& database, std::int64_t map_key, const MapInfo& info, const MapChange& change) {
   const auto stored = ReadChangeLog(database, map_key);
   const std::int64_t before = change.first_revision - 1;
@@ -37,13 +37,13 @@ Result<ChangeLogRow> LogBefore(Database& database, std::int64_t map_key, const M
 Status InsertChange(Database& database, const MapChange& change, Bytes blob, std::int64_t now_ns,
                     const ChangeLogRow& log) {
   const ChangeRow row = ChangeRowOf(change, std::move(blob), now_ns, log);
-  // A damaged row may have this number already.
+  // A damaged row may have the same number.
   DHPMAP_ASSIGN_OR_RETURN(Statement upsert, database.Prepare(Changes().Upsert(), kWriteChangesTask));
   Changes().BindAll(row, upsert);
   return upsert.Run();
 }
 
-/// Deletes the oldest changes while they are beyond the limits, or the log does not count on them.
+/// Deletes the oldest changes that exceed the limits or are not part of the log.
 Status TrimChanges(Database& database, std::int64_t now_ns, const ChangeHistoryLimits& limits, ChangeLogRow& log) {
   DHPMAP_ASSIGN_OR_RETURN(Statement oldest,
                           database.Prepare("SELECT change_key, last_revision, seen_ns, length(blob) FROM changes "
@@ -66,7 +66,7 @@ Status TrimChanges(Database& database, std::int64_t now_ns, const ChangeHistoryL
   return Status::Ok();
 }
 
-/// Rows from `after` on, each of which follows the one before.
+/// Reads consecutive rows that follow `after`.
 Status ReadChangeRows(Database& database, const MapRow& map, const ChangeLogRow& log, std::int64_t after,
                       std::size_t max_bytes, ChangeList& list) {
   DHPMAP_ASSIGN_OR_RETURN(
@@ -99,7 +99,7 @@ Status RecordChange(Database& database, std::int64_t map_key, const MapInfo& inf
   Bytes blob = EncodeChange(change);
   const auto num_bytes = static_cast<std::int64_t>(blob.size());
   if (num_bytes > limits.max_bytes) {
-    log.complete_after = change.last_revision;  // it has no room, so what was before is of no use either
+    log.complete_after = change.last_revision;  // it does not fit, so earlier changes are useless, too
   } else {
     DHPMAP_RETURN_IF_ERROR(InsertChange(database, change, std::move(blob), now_ns, log));
     ++log.num_changes;

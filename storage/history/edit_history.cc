@@ -23,7 +23,7 @@ constexpr char kReadHistoryTask[] = "read what undoes an edit";
 constexpr char kWriteHistoryTask[] = "write what undoes an edit";
 constexpr char kTrimHistoryTask[] = "delete what undoes edits of long ago";
 
-/// Of those beyond the limits so many go with one edit.
+/// Limit of undo histories trimmed with one edit.
 constexpr int kMostHistoriesTrimmed = 16;
 EditTileRow RowAt(const Statement& statement) {
   Columns columns(statement);
@@ -118,12 +118,12 @@ Status EditTileRecorder::Note(std::int64_t submap_id, TileIndex index, std::int6
   return Status::Ok();
 }
 
-/// The row that is there is of before the edit to somewhere between; from now on it is to `after`.
+/// The existing row goes from before the edit to `between`; now it must go to `after`.
 Status EditTileRecorder::NoteFurther(std::int64_t submap_id, TileIndex index, std::int64_t layer,
                                      const StoredBlob& between, const StoredBlob& after) {
   const std::int64_t before_key = find_->Int(0), between_key = find_->Int(1);
   find_->Reset();
-  // Counted before the old row goes, so that no blob is taken for one that nothing refers to.
+  // Counted before the old row is deleted, so that no blob is temporarily unreferenced.
   for (const std::int64_t key : {before_key, after.key}) {
     if (key != 0) DHPMAP_RETURN_IF_ERROR(share_->Bind(key).Run());
   }
@@ -150,7 +150,7 @@ Status EditTileRecorder::NoteRemoved(SubmapId id, std::int64_t owner_key, std::i
   return share_all_->Bind(owner_key).Run();
 }
 
-/// Touches rows, and no page of a blob.
+/// Touches rows only, and no page of a blob.
 Status EditTileRecorder::NoteAll(Side side, SubmapId id, std::int64_t owner_key, std::int64_t blob_bytes) {
   Statement& note = side == Side::kAfter ? *note_new_ : *note_removed_;
   DHPMAP_RETURN_IF_ERROR(note.Bind(edit_key_).Bind(std::int64_t{id.value}).Bind(owner_key).Run());
@@ -197,7 +197,7 @@ Status AddToHistory(Database& database, const EditTileRecorder& left, std::int64
   EditHistoryRow row;
   const bool is_intact = EditHistories().Read(select, row) && EditHistories().IsIntact(row, row.seal);
   select.Reset();
-  if (!is_intact) return Status::Ok();  // stays what it is: not to be read
+  if (!is_intact) return Status::Ok();  // leave it unreadable
   row.num_bytes += left.num_bytes();
   row.tiles_sum = static_cast<std::int64_t>(static_cast<std::uint64_t>(row.tiles_sum) +
                                             static_cast<std::uint64_t>(left.tiles_sum()));

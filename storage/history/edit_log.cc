@@ -16,7 +16,7 @@ constexpr char kReadEditsTask[] = "read the log of edits";
 constexpr char kWriteEditsTask[] = "write the log of edits";
 constexpr char kTrimEditsTask[] = "delete edits of long ago from their log";
 
-/// Of those beyond the limits so many go with one edit.
+/// Limit of edits trimmed with one edit.
 constexpr int kMostEditsTrimmed = 16;
 
 Status InsertTargets(Database& database, std::int64_t map_key, const EditEntry& entry) {
@@ -32,7 +32,7 @@ Status InsertTargets(Database& database, std::int64_t map_key, const EditEntry& 
   return Status::Ok();
 }
 
-/// The newest stays, whatever it takes: it was made, and may be asked for again.
+/// Always keeps the newest edit: it was made, and its request may be repeated.
 Status TrimEdits(Database& database, std::int64_t map_key, std::int64_t newest, std::int64_t now_ns,
                  const EditLogLimits& limits) {
   DHPMAP_ASSIGN_OR_RETURN(
@@ -53,7 +53,7 @@ Status TrimEdits(Database& database, std::int64_t map_key, std::int64_t newest, 
   return Status::Ok();
 }
 
-/// Whether a target's last undo or redo was an undo.
+/// Whether each target was undone last, or redone.
 class TargetStates {
  public:
   static Result<TargetStates> Prepare(Database& database) {
@@ -75,7 +75,7 @@ class TargetStates {
   Statement select_;
 };
 
-/// The row that the statement stands at.
+/// Reads the current row of the statement.
 Result<EditRow> IntactEdit(const Statement& select, const std::string& map) {
   EditRow row;
   const bool is_read = Edits().Read(select, row);

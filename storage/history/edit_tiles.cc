@@ -23,7 +23,7 @@ class TileSide {
              std::shared_ptr<const BlockTile>& side) const {
     if (key == 0) return Status::Ok();
     if (blob.empty()) return DataLoss("is missing");
-    // Made here, and not seen by anybody yet.
+    // Created here, and not shared yet.
     auto tile = side != nullptr ? std::const_pointer_cast<BlockTile>(side) : std::make_shared<BlockTile>();
     DHPMAP_RETURN_IF_ERROR(layer.decode(blob, index, *tile));
     tile->stored(layer.layer).Set(store_, key);

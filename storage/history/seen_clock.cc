@@ -15,7 +15,7 @@ std::int64_t SteadyNow() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
-/// Of rows of edits and changes.
+/// The newest stamp of edits and changes.
 Result<std::int64_t> NewestStamp(sqlite::Database& database) {
   return database.QueryInt(
       "SELECT max(ifnull((SELECT max(seen_ns) FROM edits), 0), ifnull((SELECT max(seen_ns) FROM changes), 0))",

@@ -54,7 +54,7 @@ Result<TileTotals> WriteMapLayers(TileTable& rows, std::int64_t owner_key, const
       WriteLayer(rows, owner_key, BlobKind::kFreeV1, DiffFreeSpace(before, after.free_space), totals, nullptr));
   DHPMAP_RETURN_IF_ERROR(
       WriteLayer(rows, owner_key, BlobKind::kVacatedV1, DiffVacated(before, after.vacated), totals, recorder));
-  rows.NoteDeadBlobs();  // of what the recorder let go
+  rows.NoteDeadBlobs();  // blobs that the recorder released
   if (totals.num_rows == static_cast<std::int64_t>(after.free_space.tiles().size() + after.vacated.tiles().size())) {
     return totals;
   }

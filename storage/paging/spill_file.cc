@@ -26,16 +26,16 @@ Status OfDisk(const std::string& task) {
   return Unavailable(message);
 }
 
-/// The database beside it needs room, too.
+/// The database on the same disk needs space, too.
 Status CheckRoomForPages(int file, std::size_t num_bytes) {
   constexpr std::uint64_t kLeftFreeForPages_bytes = 256u << 20;
   struct statvfs disk {};
-  if (fstatvfs(file, &disk) != 0) return Status::Ok();  // then writing tells
+  if (fstatvfs(file, &disk) != 0) return Status::Ok();  // then writing reports it
   if (std::uint64_t{disk.f_bavail} * disk.f_frsize >= num_bytes + kLeftFreeForPages_bytes) return Status::Ok();
   return ResourceExhausted("what has no room in memory would leave too little of the disk");
 }
 
-/// Of a file system that has no files without a name: one that loses it at once.
+/// For file systems without unnamed files: creates a file and unlinks it at once.
 int OpenAndForget(const std::string& folder) {
   std::string name = folder + "/dhpmap-spill-XXXXXX";
   const int file = mkostemp(name.data(), O_CLOEXEC);
@@ -43,8 +43,8 @@ int OpenAndForget(const std::string& folder) {
   return file;
 }
 
-// A tile in the file: its cells with geometry; of each distances, weights and colours, bit for bit, of all voxels; then
-// the blobs of the other layers as stores have them, which are exact, each after its length; at last a checksum.
+// A tile in the file: its cells with geometry; for each cell distances, weights and colours of all voxels, bit-exact;
+// then the blobs of the other layers in the form of stores, each preceded by its length; finally a checksum.
 
 template <typename Plane>
 ByteView FileBytesOf(const Plane& plane) {
@@ -102,7 +102,7 @@ Status Unflatten(ByteView bytes, TileIndex index, BlockTile& tile) {
   return reader.ok() ? Status::Ok() : DataLoss("is cut short");
 }
 
-/// One tile that was left in a file.
+/// A tile in a spill file.
 class SpilledTile final : public TileSource {
  public:
   explicit SpilledTile(std::shared_ptr<SpillFile> file) : file_(std::move(file)) {}
@@ -130,8 +130,8 @@ class SpilledTile final : public TileSource {
   std::size_t num_bytes_ = 0;
 };
 
-/// Calls move(at, offset, num_bytes) for each page, which returns how many were moved as read and write do, until all
-/// are.
+/// Calls move(at, offset, num_bytes) for each page until all bytes are moved; `move` returns the number of bytes, like
+/// read and write.
 template <typename Move>
 bool ForEachPage(std::span<const std::uint32_t> pages, std::size_t num_bytes, Move&& move) {
   for (std::size_t done = 0; done < num_bytes;) {
@@ -166,8 +166,7 @@ Result<std::vector<std::uint32_t>> SpillFile::Take(std::size_t num_pages) {
   const MutexLock lock(mutex_);
   if (num_pages > free_.size()) {
     DHPMAP_RETURN_IF_ERROR(CheckRoomForPages(file_, num_pages * kPageBytes));
-    const std::size_t num_then =
-        num_pages_ + num_pages;  // first: to give back must not fail, and nothing is to be lost
+    const std::size_t num_then = num_pages_ + num_pages;  // first: returning pages must not fail, and none may be lost
     if (free_.capacity() < num_then) free_.reserve(2 * num_then);
   }
   for (; pages.size() < num_pages && !free_.empty(); free_.pop_back()) pages.push_back(free_.back());
@@ -199,7 +198,7 @@ void SpillFile::GiveBack(std::span<const std::uint32_t> pages) {
   const MutexLock lock(mutex_);
   free_.insert(free_.end(), pages.begin(), pages.end());
   if (free_.size() < num_pages_) return;
-  free_.clear();  // nothing is in it: give the disk its room back
+  free_.clear();  // the file is empty: return its space to the disk
   if (ftruncate(file_, 0) == 0) num_pages_ = 0;
   for (std::uint32_t page = num_pages_; page > 0; --page) free_.push_back(page - 1);
 }

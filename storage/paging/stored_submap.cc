@@ -14,7 +14,7 @@
 namespace dhpmap {
 namespace {
 
-/// The sum of a submap's tiles as its row has it now; nothing if there is no such submap.
+/// The checksum of a submap's tiles in its current row; nothing if there is no such submap.
 Result<std::optional<std::int64_t>> PresentSum(sqlite::Database& database, std::int64_t submap_key) {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Statement select,
                           database.Prepare("SELECT tiles_sum FROM submaps WHERE submap_key = ?", "read a tile"));
@@ -75,7 +75,7 @@ Result<std::shared_ptr<const BlockTile>> StoredSubmap::ReadOne(TileIndex index) 
   return blobs_->With<Made>(name_, [&](sqlite::Database& database) -> Result<Made> {
     DHPMAP_ASSIGN_OR_RETURN(const sqlite::Transaction one_state, sqlite::Transaction::BeginRead(database));
     DHPMAP_ASSIGN_OR_RETURN(const std::optional<std::int64_t> sum, PresentSum(database, owner_.submap_key));
-    if (tiles_sum_ && sum != tiles_sum_) return Check(database, {}, {});  // which knows what it is
+    if (tiles_sum_ && sum != tiles_sum_) return Check(database, {}, {});  // which finds the cause
     DHPMAP_ASSIGN_OR_RETURN(TileRowReader reader, TileRowReader::PrepareForATile(database));
     Rows rows;
     rows.tile.index = index;
@@ -86,7 +86,7 @@ Result<std::shared_ptr<const BlockTile>> StoredSubmap::ReadOne(TileIndex index) 
 }
 
 bool StoredSubmap::HasFew() const {
-  constexpr std::int64_t kFewBlocks = 2000;  // in some 100 rows, which are read in 60 us
+  constexpr std::int64_t kFewBlocks = 2000;  // in about 100 rows, which take 60 us to read
   return counts_.num_tsdf_blocks + counts_.num_label_blocks + counts_.num_gone_blocks <= kFewBlocks;
 }
 
@@ -97,7 +97,7 @@ Status StoredSubmap::Add(const TileRowReader::Row& row, Rows& rows) const {
                               " is of a layer unknown to this version")
         .WithReason("NEWER_LAYER");
   }
-  if (row.cells == 0) return Expired(name_ + ": what is asked for");  // a repair has been here: it said them
+  if (row.cells == 0) return Expired(name_ + ": what is asked for");  // reset by a repair since
   const auto i = static_cast<std::size_t>(layer->layer);
   rows.tile.keys[i] = row.blob_key;
   rows.tile.cells[i] = row.cells;

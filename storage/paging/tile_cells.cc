@@ -18,15 +18,15 @@ using sqlite::Statement;
 constexpr char kCellsTask[] = "note which blocks tiles have";
 constexpr std::int64_t kRowsATime = 256;
 
-/// A row of an owner that does not say its cells, or did not.
+/// A row of an owner whose cells were not recorded.
 struct RowPlace {
   TileIndex index;
-  std::int64_t layer = -1;  ///< before all of the tile
-  // What it is to say:
+  std::int64_t layer = -1;  ///< before all layers of the tile
+  // To be recorded:
   std::uint64_t cells = 0, extent = 0;
 };
 
-/// Has the row say what its blob does.
+/// Determines the cells from the blob.
 Status Look(ByteView blob, RowPlace& row) {
   const ObjectLayer* layer = FindObjectLayer(row.layer);
   if (layer == nullptr) return FailedPrecondition("a tile is of a layer unknown to this version");
@@ -37,7 +37,7 @@ Status Look(ByteView blob, RowPlace& row) {
   return Status::Ok();
 }
 
-/// The next rows after `last`, which becomes the last of them.
+/// The next rows after `last`, which is advanced to the last of them.
 Result<std::vector<RowPlace>> NextRows(Database& database, std::int64_t owner_key, RowPlace& last) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
@@ -62,7 +62,7 @@ Result<std::vector<RowPlace>> NextRows(Database& database, std::int64_t owner_ke
   return rows;
 }
 
-/// Notes some rows. Returns whether there were any.
+/// Records the cells of some rows. Returns whether there were any.
 Result<bool> NoteSome(Database& database, std::int64_t owner_key, RowPlace& last) {
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<RowPlace> rows, NextRows(database, owner_key, last));
   DHPMAP_ASSIGN_OR_RETURN(
@@ -80,7 +80,7 @@ Result<bool> NoteSome(Database& database, std::int64_t owner_key, RowPlace& last
 }  // namespace
 
 Result<std::vector<std::int64_t>> OwnersWithoutCells(Database& database, std::int64_t map_key) {
-  // Index tiles_without_cells has such rows alone, and is empty for maps that this version wrote.
+  // The index tiles_without_cells contains only such rows, and none for maps written by this version.
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
       database.Prepare("SELECT DISTINCT owner_key FROM tiles INDEXED BY tiles_without_cells JOIN submaps ON submap_key "

@@ -20,7 +20,7 @@ Result<bool> IsReferredTo(Database& database, std::int64_t blob_key) {
   return has_row && select.Int(0) != 0;
 }
 
-/// Whether the map has as many submaps as it says. One that is deleted says nothing.
+/// Whether the map has as many submaps as its row records, or was deleted.
 Result<bool> HasItsSubmaps(Database& database, std::int64_t map_key) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
@@ -31,8 +31,8 @@ Result<bool> HasItsSubmaps(Database& database, std::int64_t map_key) {
   return !has_row || select.Int(0) == select.Int(1);
 }
 
-/// Whether the submap has the tiles that its row says. One that is deleted says nothing; nor does one of schema 6 or
-/// before, but none of its tiles has been replaced.
+/// Whether the submap has the tiles that its row records, or was deleted. False for a row of schema 6 or earlier, which
+/// records none: its tiles were never replaced.
 Result<bool> HasItsTiles(Database& database, std::int64_t submap_key) {
   constexpr std::int64_t kFirstThatCoversTiles = 3;
   DHPMAP_ASSIGN_OR_RETURN(

@@ -14,7 +14,7 @@ constexpr char kBringTask[] = "bring the map's tiles";
 }  // namespace
 
 Result<BlobRange> ReserveBlobKeys(Database& database, std::int64_t num_blobs) {
-  // A row of its own where the table has never had one.
+  // Inserts the row if the table has never had one.
   DHPMAP_RETURN_IF_ERROR(
       database.Execute("INSERT INTO sqlite_sequence (name, seq) SELECT 'tile_blobs', 0 WHERE NOT EXISTS (SELECT 1 FROM "
                        "sqlite_sequence WHERE name = 'tile_blobs')",

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-// Frozen: what mapping/map/map_config.h listed when rows of version 1 were written.
+// Frozen: the fields of mapping/map/map_config.h when rows of version 1 were written.
 constexpr std::string_view kKeys[] = {
     "voxel_size_m",
     "truncation_m",

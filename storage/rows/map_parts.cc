@@ -8,10 +8,10 @@
 namespace dhpmap {
 namespace {
 
-/// Whether the row and its parts are what was written together.
+/// Whether the row and its parts were written together.
 Result<bool> IsIntact(const MapRow& row, const MapParts& parts) {
   const int version = row.seal.version;
-  // What came with a later version has nothing to cover it.
+  // Seals of older versions do not cover fields of later ones.
   const bool has_objects = !parts.merged.empty() || !parts.pairs.empty();
   if (version < 5 && (has_objects || row.merged_checksum != 0 || row.pairs_checksum != 0)) return false;
   if (version < 8 && row.leaving_id != -1) return false;

@@ -32,7 +32,7 @@ Result<MapParts> ReadParts(Database& database, std::int64_t map_key) {
   return parts;
 }
 
-/// Writes a row that was read, with another seal; what stands in other tables stays.
+/// Writes a row that was read, with a new seal; rows in other tables do not change.
 Status Rewrite(Database& database, MapRow& row) {
   if (row.seal.version != MapSealVersion()) {
     DHPMAP_ASSIGN_OR_RETURN(const MapParts parts, ReadParts(database, row.key));
@@ -41,7 +41,7 @@ Status Rewrite(Database& database, MapRow& row) {
   if (!row.CoversTiles()) {
     DHPMAP_ASSIGN_OR_RETURN(TileRows tiles, TileRows::Prepare(database));
     DHPMAP_ASSIGN_OR_RETURN(const TileTotals stored, tiles.Count(OwnerOfMap(row.key)));
-    row.tiles.sum = stored.sum;  // their number stays what it was sealed with
+    row.tiles.sum = stored.sum;  // the number remains as it was sealed
   }
   SealMapRow(row);
   DHPMAP_ASSIGN_OR_RETURN(Statement update, database.Prepare(Maps().Update("WHERE map_key = ?"), kWriteMapTask));
@@ -49,11 +49,10 @@ Status Rewrite(Database& database, MapRow& row) {
   return update.Bind(row.key).Run();
 }
 
-/// Writes what is known of objects, and regions that are kept clear, with the checksums of it, where it differs from
-/// `before`.
+/// Writes merged ids, pairs and ignored regions with their checksums, if they differ from `before`.
 Status UpdateObjects(Database& database, const MapRow& head, const MapInfo& before, MapRow& row) {
   const bool is_older = head.seal.version < MapSealVersion();
-  const bool is_new = head.seal.version == 0;  // nothing is stored yet, whatever `before` says
+  const bool is_new = head.seal.version == 0;  // nothing is stored yet, regardless of `before`
   row.merged_checksum = head.merged_checksum;
   row.pairs_checksum = head.pairs_checksum;
   if (is_older || row.info.merged != before.merged) {
@@ -75,7 +74,7 @@ Status UpdateObjects(Database& database, const MapRow& head, const MapInfo& befo
   return Status::Ok();
 }
 
-/// Numbers beyond the marks, and the revisions between noted as lost.
+/// Advances numbers beyond the marks, and records the revisions between as lost.
 Status GoBeyondMarks(Database& database, MapRow& row) {
   if (row.marks.revision > row.info.revision) {
     DHPMAP_ASSIGN_OR_RETURN(
@@ -91,7 +90,7 @@ Status GoBeyondMarks(Database& database, MapRow& row) {
   return Rewrite(database, row);
 }
 
-/// Calls change(MapRow&) for every map but the damaged ones.
+/// Calls change(MapRow&) for every undamaged map.
 template <typename Change>
 Status ForEachIntactMap(Database& database, Change&& change) {
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> names, ReadMapNames(database));
@@ -139,7 +138,7 @@ Result<std::vector<std::string>> ReadMapNames(Database& database) {
 Result<MapRow> InsertMap(Database& database, const MapSnapshot& snapshot) {
   MapRow row = MapRowOf(snapshot);
   DHPMAP_ASSIGN_OR_RETURN(Statement insert, database.Prepare(Maps().Insert(), kWriteMapTask));
-  Maps().BindAll(row, insert);  // its key is needed for all else, and that for the row: sealed when it is updated
+  Maps().BindAll(row, insert);  // other rows need its key, and its seal needs their checksums: sealed by a later update
   const Status inserted = insert.Run();
   if (inserted.code() == StatusCode::kAlreadyExists) {
     return AlreadyExists("there is already a map '" + row.info.name + "'").WithReason("MAP_EXISTS");
@@ -170,7 +169,7 @@ Status UpdateMap(Database& database, const MapRow& head, const MapInfo& before, 
     row.classes_checksum = ClassesChecksum(classes, MapSealVersion());
   }
   if (is_older || info.sessions != before.sessions) {
-    // A row without a seal is new: it has no sessions yet, whatever `before` says.
+    // A row without a seal is new: it has no sessions yet, regardless of `before`.
     const SessionMarks stored = head.seal.version == 0 ? SessionMarks() : before.sessions;
     DHPMAP_ASSIGN_OR_RETURN(const auto sessions, WriteSessionRows(database, head.key, stored, info.sessions));
     row.sessions_checksum = SessionsChecksum(sessions, MapSealVersion());

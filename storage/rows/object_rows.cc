@@ -28,7 +28,7 @@ Result<std::vector<Row>> ReadObjectRows(Database& database, const Table<Row>& ta
   }
 }
 
-/// Writes the rows of `entries` that `is_stored` says no to.
+/// Writes the rows of `entries` for which `is_stored` returns false.
 template <typename Row, typename Entries, typename IsStored>
 Result<std::vector<Row>> WriteObjectRows(Database& database, const Table<Row>& table, std::int64_t map_key,
                                          const Entries& entries, IsStored&& is_stored) {

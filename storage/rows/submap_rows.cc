@@ -82,7 +82,7 @@ Result<std::optional<SubmapRowWriter::Stored>> SubmapRowWriter::Find(std::int64_
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, find_.Bind(map_key).Bind(id.value).Step());
   if (!has_row) return std::optional<Stored>();
   SubmapRow row;
-  (void)Submaps().Read(find_, row);  // a damaged row is written anew, as the state in memory is whole
+  (void)Submaps().Read(find_, row);  // a damaged row is rewritten, because the state in memory is complete
   find_.Reset();
   return std::optional<Stored>({row.key, row.counts, row.tiles_sum, row.CoversTiles()});
 }

@@ -6,7 +6,7 @@
 namespace dhpmap {
 namespace {
 
-/// What `text` makes of each column that `wanted` says yes to, with commas between.
+/// Joins text(column) of the columns for which `wanted` returns true, separated by commas.
 std::string Join(const std::vector<ColumnName>& columns, const std::function<bool(Written)>& wanted,
                  const std::function<std::string(const std::string&)>& text) {
   std::string joined;

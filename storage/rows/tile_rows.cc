@@ -78,7 +78,7 @@ Result<StoredLayers> TileRows::Find(std::int64_t owner_key, TileIndex index) {
     if (!has_row) return layers;
     Columns columns(*find_);
     const auto layer = static_cast<std::uint64_t>(columns.Int());
-    if (layer >= layers.size()) continue;  // of no layer: seen when the map is read
+    if (layer >= layers.size()) continue;  // unknown layer: reported when the map is read
     layers[layer].key = columns.Int();
     layers[layer].num_blocks = columns.Int();
     layers[layer].bytes = columns.Int();
@@ -117,7 +117,7 @@ Result<std::optional<StoredBlob>> TileRows::Share(std::int64_t blob_key) {
   find_blob_->Reset();
   if (may_have_dead_) {
     DHPMAP_RETURN_IF_ERROR(revive_->Bind(blob_key).Run());
-    if (database_->NumChanges() > 0) return std::optional<StoredBlob>(blob);  // nobody else refers to it
+    if (database_->NumChanges() > 0) return std::optional<StoredBlob>(blob);  // it has no other references
   }
   DHPMAP_RETURN_IF_ERROR(share_->Bind(blob_key).Run());
   return std::optional<StoredBlob>(blob);
@@ -199,17 +199,17 @@ TileRowReader::Row TileRowReader::Current() const {
 
 namespace {
 
-/// A blob that no row refers to.
+/// A blob without references.
 struct DeadBlob {
   std::int64_t key = 0;
   std::int64_t bytes = 0;
 };
 
-/// Collects them one by one, so that it can end after any.
+/// Collects dead blobs one by one, so that it can stop after any of them.
 class DeadBlobCollector {
  public:
   static Result<DeadBlobCollector> Prepare(Database& database, const CollectBounds& bounds) {
-    // Sizes are in the head of a row: blobs themselves are not read for them.
+    // Sizes are in the row header, so the blobs themselves are not read.
     DHPMAP_ASSIGN_OR_RETURN(
         Statement find,
         database.Prepare("SELECT blob_key, ifnull(length(blob), 0) FROM dead_blobs LEFT JOIN tile_blobs "
@@ -247,7 +247,7 @@ class DeadBlobCollector {
         erase_dead_(std::move(erase_dead)),
         bounds_(bounds) {}
 
-  /// The next of a range: sought, so that what is kept between ranges costs nothing.
+  /// Finds the next blobs of a range by seeking, so skipped ranges cost nothing.
   Status Find(const BlobRange& range) {
     constexpr std::int64_t kAtATime = 32;
     found_.clear();

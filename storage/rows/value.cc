@@ -60,7 +60,7 @@ bool FromBytes(ByteView bytes, BoundingSphere& sphere) {
 
 namespace {
 
-/// Of distances that an imported map may have, infinite ones, no box follows.
+/// Imported maps may have infinite distances, from which no box follows.
 bool IsFinite(const LevelOutline& outline) {
   if (!outline.up.allFinite()) return false;
   if (!outline.outline) return true;
@@ -96,7 +96,7 @@ Bytes ToBytes(const std::shared_ptr<const LevelOutline>& outline) {
 
 namespace {
 
-/// Reads doubles, and notes whether all are finite.
+/// Reads doubles and records whether all are finite.
 struct FiniteReader {
   ByteReader& in;
   bool good = true;

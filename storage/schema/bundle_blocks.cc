@@ -19,7 +19,7 @@ using sqlite::Statement;
 
 constexpr char kBundleTask[] = "bring the blocks up to date";
 
-/// A table of blocks, and what it becomes.
+/// A table of blocks, and the layer that it is converted to.
 struct OldBlockTable {
   const char* name;
   std::int64_t layer;
@@ -42,7 +42,7 @@ BlockIndex BlockIndexFrom(Columns& columns) {
   return index;
 }
 
-/// Puts blobs in place, whatever they hold.
+/// Inserts blobs without decoding them.
 class TileInserter {
  public:
   static Result<TileInserter> Prepare(Database& database) {
@@ -92,7 +92,7 @@ Result<RowsByTile> ListBlocks(Database& database, const OldBlockTable& table, st
   return rows;
 }
 
-/// Takes the rows of a tile out of their table.
+/// Moves the rows of a tile out of their table.
 Result<std::vector<BundledBlob>> TakeBlobs(const std::vector<BlockRow>& blocks, Statement& read, Statement& erase) {
   std::vector<BundledBlob> blobs;
   for (const BlockRow& block : blocks) {
@@ -106,7 +106,7 @@ Result<std::vector<BundledBlob>> TakeBlobs(const std::vector<BlockRow>& blocks, 
   return blobs;
 }
 
-/// Bundles the layer of a submap, up to `num_left` tiles of it, which it counts down.
+/// Bundles a layer of a submap, at most `num_left` tiles, which it decrements.
 Status BundleLayer(Database& database, const OldBlockTable& table, std::int64_t submap_key, TileInserter& tiles,
                    std::int64_t& num_left) {
   if (num_left == 0) return Status::Ok();
@@ -133,7 +133,7 @@ Status SumBytes(Database& database, std::int64_t submap_key) {
   return update.Bind(submap_key).Run();
 }
 
-/// Layers of maps are tiles already.
+/// Layers of maps are tiles already, and are moved.
 Status MoveMapTiles(Database& database, TileInserter& tiles, std::int64_t& num_left) {
   DHPMAP_ASSIGN_OR_RETURN(
       Statement select,
@@ -199,7 +199,7 @@ Status DropOldTables(Database& database) {
       "DROP TABLE tsdf_blocks; DROP TABLE label_blocks; DROP TABLE gone_blocks; DROP TABLE map_tiles", kBundleTask);
 }
 
-/// One transaction. What is left is counted in submaps, and one more while anything is.
+/// One transaction. Returns the number of submaps left, plus one while any work is left.
 Result<std::int64_t> DoSome(Database& database, std::int64_t max_tiles) {
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_left, BundleSome(database, max_tiles));
   if (num_left == 0) DHPMAP_RETURN_IF_ERROR(DropOldTables(database));

@@ -15,14 +15,14 @@ Status NotOurs() {
   return FailedPrecondition("the database file belongs to another application").WithReason("FOREIGN_DATABASE");
 }
 
-/// Some 20 MB.
+/// About 20 MB.
 constexpr std::int64_t kPartsATransaction = 4096;
 
 struct SchemaObject {
   std::string type, name, sql;
 };
 
-/// Brings a database from schema `number` to the next.
+/// Migrates a database from schema `number` to the next.
 Status Do(const SchemaStep& step, std::int64_t number, sqlite::Database& database) {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Transaction transaction, sqlite::Transaction::BeginWrite(database));
   DHPMAP_ASSIGN_OR_RETURN(const std::int64_t version, database.QueryInt("PRAGMA user_version", kReadVersionTask));
@@ -35,7 +35,7 @@ Status Do(const SchemaStep& step, std::int64_t number, sqlite::Database& databas
   return transaction.Commit();
 }
 
-/// What a step left to do, part by part.
+/// Completes the remaining work of a step, part by part.
 Status DoWork(const SchemaWork& work, sqlite::Database& database, const SchemaProgress& progress) {
   for (;;) {
     DHPMAP_ASSIGN_OR_RETURN(const bool is_left, work.is_left(database));
@@ -49,7 +49,7 @@ Status DoWork(const SchemaWork& work, sqlite::Database& database, const SchemaPr
   }
 }
 
-/// Whether a step that was done has left work.
+/// Whether a completed step has work left.
 Result<bool> HasWorkLeft(SchemaSteps done, sqlite::Database& database) {
   for (const SchemaStep& step : done) {
     if (step.work == nullptr) continue;
@@ -59,7 +59,7 @@ Result<bool> HasWorkLeft(SchemaSteps done, sqlite::Database& database) {
   return false;
 }
 
-/// What an empty database has after all steps.
+/// The schema objects of an empty database after all steps.
 Result<std::vector<SchemaObject>> ReferenceObjects(SchemaSteps steps) {
   DHPMAP_ASSIGN_OR_RETURN(sqlite::Database reference, sqlite::Database::OpenInMemory());
   DHPMAP_RETURN_IF_ERROR(MigrateSchema(reference, steps));
@@ -73,7 +73,7 @@ Result<std::vector<SchemaObject>> ReferenceObjects(SchemaSteps steps) {
   }
 }
 
-/// DATA_LOSS unless every table, index and trigger of our schema is there. More may be: those of an operator.
+/// DATA_LOSS unless every table, index and trigger of our schema exists. Additional ones of an operator are permitted.
 Status CheckObjects(sqlite::Database& database, const Result<std::vector<SchemaObject>>& reference) {
   if (!reference.ok()) return reference.status();
   DHPMAP_ASSIGN_OR_RETURN(

@@ -35,7 +35,7 @@ std::string ImmutableUri(const std::string& path) {
   return uri + "?immutable=1";
 }
 
-/// SQLite takes a name that starts with "file:" as a URI and ":memory:" as no file where it is built so.
+/// SQLite may treat a name that starts with "file:" as a URI, and ":memory:" as no file.
 std::string PlainName(const std::string& path) { return path.starts_with('/') ? path : "./" + path; }
 
 }  // namespace
@@ -45,7 +45,7 @@ void Database::Closer::operator()(sqlite3* database) const { sqlite3_close_v2(da
 Result<Database> Database::OpenNamed(const std::string& name, int flags) {
   sqlite3* handle = nullptr;
   const int code = sqlite3_open_v2(name.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE, nullptr);
-  Database database(handle);  // to be closed even if opening failed
+  Database database(handle);  // must be closed even if opening failed
   if (code != SQLITE_OK) return ErrorFrom(code, "open the database");
   return database;
 }
@@ -105,13 +105,13 @@ void Database::SetCheckpointOnClose(bool on) {
   sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, on ? 0 : 1, nullptr);
 }
 
-// sqlite3_interrupt means nothing to a statement that begins a moment later, and the checks of a whole file never call
-// a progress handler.
+// sqlite3_interrupt has no effect on a statement that starts a moment later, and checks of a whole file never call a
+// progress handler.
 StoppedBy::StoppedBy(Database& database, std::stop_token stop)
     : stop_(std::move(stop)),
       database_(database.database_.get()),
       interrupt_(stop_, [this] { sqlite3_interrupt(database_); }) {
-  constexpr int kStepsBetween = 100;  // of SQLite's machine, some tens of rows
+  constexpr int kStepsBetween = 100;  // of SQLite's virtual machine, a few tens of rows
   const auto is_stopped = [](void* me) { return static_cast<const StoppedBy*>(me)->stop_.stop_requested() ? 1 : 0; };
   sqlite3_progress_handler(database_, kStepsBetween, is_stopped, this);
 }

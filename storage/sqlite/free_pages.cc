@@ -9,7 +9,7 @@ namespace {
 constexpr char kGiveBackTask[] = "give free space back";
 constexpr std::int64_t kIncremental = 2;
 
-/// SQLite answers with whether it was kept from its task, the frames in the log and those of them that are copied.
+/// SQLite returns whether it was blocked, the frames in the log, and the number of copied frames.
 Result<LogState> Checkpoint(Database& database, const char* pragma) {
   DHPMAP_ASSIGN_OR_RETURN(Statement statement, database.Prepare(pragma, kGiveBackTask));
   DHPMAP_ASSIGN_OR_RETURN(const bool has_row, statement.Step());

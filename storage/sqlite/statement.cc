@@ -26,7 +26,7 @@ Statement& Statement::Bind(double value) {
 }
 
 Statement& Statement::Bind(std::string_view text) {
-  const char* data = text.data() == nullptr ? "" : text.data();  // null would bind NULL
+  const char* data = text.data() == nullptr ? "" : text.data();  // a null pointer would bind NULL
   Note(sqlite3_bind_text64(statement_.get(), next_parameter_++, data, text.size(), SQLITE_STATIC, SQLITE_UTF8));
   return *this;
 }
@@ -59,7 +59,7 @@ Status Statement::Run() {
 }
 
 void Statement::Reset() {
-  sqlite3_reset(statement_.get());  // gives the error of the last step again
+  sqlite3_reset(statement_.get());  // returns the error of the last step again
   sqlite3_clear_bindings(statement_.get());
   next_parameter_ = 1;
   bind_error_ = SQLITE_OK;

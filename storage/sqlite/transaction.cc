@@ -14,8 +14,8 @@ Result<Transaction> Transaction::BeginWrite(Database& database) {
 }
 
 Transaction::~Transaction() {
-  // SQLite may have rolled back already, after a full disk for example. If the rollback fails, the transaction still
-  // was not committed: nothing to report.
+  // SQLite may have rolled back already, for example on a full disk. If the rollback fails, the transaction was not
+  // committed either: nothing to report.
   if (database_ != nullptr && database_->InTransaction()) (void)database_->Execute("ROLLBACK", "undo a transaction");
 }
 

@@ -15,7 +15,7 @@
 namespace dhpmap {
 namespace {
 
-/// Where a block keeps a layer.
+/// The member of a block that has a layer.
 template <typename Block>
 using Member = std::shared_ptr<const Block> BlockEntry::*;
 
@@ -42,7 +42,7 @@ Status DecodeBundled(BlobKind kind, ByteView blob, TileIndex index, LayerBlocks<
   return Status::Ok();
 }
 
-/// `of_tile` decodes what is written now, `of_block` what is inside a bundle.
+/// `of_tile` decodes the current form, `of_block` the blocks inside a bundle.
 template <typename Block>
 Status DecodeInto(BlobKind bundle, ByteView blob, TileIndex index, BlockTile& tile, Member<Block> member,
                   Status (*of_tile)(ByteView, TileIndex, LayerBlocks<Block>&),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap query collisions, trajectory: do these bodies touch anything, can a robot go this way?
+// dhpmap query collisions, trajectory: contacts of bodies, and whether a robot can follow a path.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
@@ -65,7 +65,7 @@ v1::Vector3 Vector(const double* xyz) {
 
 std::string Text(const v1::Vector3& v) { return Fixed(v.x(), 3) + " " + Fixed(v.y(), 3) + " " + Fixed(v.z(), 3); }
 
-/// Depth, point, normal, object and class; dashes for what a contact with unseen space has not.
+/// Depth, point, normal, object and class; dashes where a contact with unseen space has no value.
 std::vector<std::string> Columns(const v1::Contact* contact) {
   if (contact == nullptr) return {"-", "-", "-", "-", "-"};
   const bool is_unseen = contact->instance_id() < 0;
@@ -160,8 +160,8 @@ void PrintTable(const v1::CheckTrajectoryResponse& response) {
   table.Print(std::cout);
 }
 
-/// Something that the robot takes up at its first waypoint: where it is on the robot from then on.
-/// `frame`: in which the waypoint is.
+/// An object that the robot picks up at its first waypoint; computes its pose on the robot. `frame`: the frame of the
+/// waypoint.
 Result<v1::AttachedSubmap> TakeUp(const v1::Submap& submap, const v1::Pose& frame, const v1::Pose& first_waypoint) {
   v1::AttachedSubmap attached;
   attached.set_submap(submap.name());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap completion bash; completion maps is what its script asks for names of maps.
+// dhpmap completion bash; the script calls completion maps for map names.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
@@ -12,17 +12,17 @@
 namespace dhpmap {
 namespace {
 
-/// Who presses a key does not wait longer for a server that may not be there.
+/// A user who presses Tab should not wait longer for an unreachable server.
 constexpr double kPatience_s = 0.5;
 
-/// Of what the server calls maps nothing else goes to a shell.
+/// Only safe map names are passed to the shell.
 bool IsPlain(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
     return std::isalnum(c) || c == '-' || c == '_' || c == '.';
   });
 }
 
-/// Names of maps, a line each; of more than a page the first ones. Says nothing where there is no server.
+/// Names of maps, one per line; only the first page. Prints nothing if there is no server.
 ExitCode RunCompletionMaps(const Session& session) {
   const auto response =
       session.caller->Call(&v1::MapService::Stub::ListMaps, v1::ListMapsRequest(), kPatience_s, client::Again::kNo);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap doctor: is the server well, and what is to be done if it is not.
+// dhpmap doctor: checks a server and gives advice.
 #include <CLI/CLI.hpp>
 #include <iostream>
 
@@ -18,7 +18,7 @@ client::ConnectOptions OptionsOf(const Session& session) {
   return options;
 }
 
-/// Of this command alone: 0 all is well, 1 something soon will not be, 2 something is not.
+/// Exit codes of this command only: 0 healthy, 1 a warning, 2 a failure.
 ExitCode RunDoctor(const Session& session) {
   const std::string program = VersionOf("dhpmap");
   const std::vector<Finding> findings =

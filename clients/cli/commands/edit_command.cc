@@ -31,7 +31,7 @@ struct EditOptions : EditFlags {
   std::vector<std::string> classes;
   std::string region_name;
   int min_voxels = 0;
-  std::int64_t read_revision = 0;  ///< of `kept-clear`
+  std::int64_t read_revision = 0;  ///< for `kept-clear`
   double angle_deg = 0;
   std::vector<double> offset_m, at_m;
   std::int64_t support = 0;
@@ -47,7 +47,7 @@ client::Result<v1::Submap> GetSubmap(const Session& session, const std::string& 
   return std::move(*response->mutable_submap());
 }
 
-/// `text(response)` says what was done.
+/// `text(response)` describes the result.
 template <typename Response, typename Text>
 ExitCode Done(const Session& session, const EditOptions& options, const client::Result<Response>& answer, Text text) {
   return Tell(session, answer, [&](const Response& response) {
@@ -73,7 +73,7 @@ ExitCode RunMove(const Session& session, const EditOptions& options) {
   if (!options.pose.is_given()) {
     return ReportLocalError("say where: --to, --by, --yaw or --rotation", ExitCode::kUsage);
   }
-  auto submap = GetSubmap(session, options.name());  // its etag guards the change against others made meanwhile
+  auto submap = GetSubmap(session, options.name());  // its etag protects against concurrent changes
   if (!submap.ok()) return ReportError(session, submap.status());
   if (const Status changed = ChangePose(options.pose, *submap); !changed.ok()) {
     return ReportLocalError(changed.message(), ExitCode::kBadRequest);
@@ -132,7 +132,7 @@ void SetBox(v1::AxisAlignedBox& out, const std::vector<double>& values) {
   SetVector(values.data() + 3, *out.mutable_max_m());
 }
 
-/// Of a message that has a box or a sphere.
+/// Sets the region of a message that has a box or a sphere.
 template <typename Message>
 void SetRegion(Message& out, const EditOptions& options) {
   if (!options.box_m.empty()) {
@@ -149,7 +149,7 @@ void PrintNames(const char* what, const google::protobuf::RepeatedPtrField<std::
   for (const std::string& name : names) std::cout << " " << name.substr(name.rfind('/') + 1);
 }
 
-/// One line an edit: what changed, was created and removed, by instance id.
+/// Prints a line for each edit: changed, created and removed instance ids.
 ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const EditOptions& options) {
   request.set_map(MapName(options.map));
   options.Sign(request);
@@ -168,7 +168,7 @@ ExitCode RunEdits(const Session& session, v1::ApplyEditsRequest request, const E
               });
 }
 
-/// A list of one edit, on the object that the options name, if they name one.
+/// A list of one edit, on the object of the options, if they name one.
 v1::ApplyEditsRequest One(const EditOptions& options, v1::Edit*& edit) {
   v1::ApplyEditsRequest request;
   edit = request.add_edits();
@@ -306,7 +306,7 @@ ExitCode RunListIgnoredRegions(const Session& session, const EditOptions& option
       });
 }
 
-/// A list of edits from a file of JSON, an ApplyEditsRequest whose map may be left out.
+/// Applies a list of edits from a JSON file, an ApplyEditsRequest whose map is optional.
 ExitCode RunApply(const Session& session, const EditOptions& options) {
   std::ostringstream text;
   if (options.text == "-") {
@@ -322,7 +322,7 @@ ExitCode RunApply(const Session& session, const EditOptions& options) {
   return RunEdits(session, std::move(request), options);
 }
 
-/// A command on one object.
+/// Adds a command on one object.
 CLI::App* AddEdit(CLI::App& edit, const char* name, const char* what, const std::shared_ptr<EditOptions>& options,
                   Session& session, ExitCode (*run)(const Session&, const EditOptions&)) {
   CLI::App* command = edit.add_subcommand(name, what);
@@ -337,7 +337,7 @@ void AddRegionOptions(CLI::App& command, EditOptions& options) {
   command.add_option("--sphere", options.sphere_m, "The sphere X Y Z RADIUS (metres)")->expected(4);
 }
 
-/// A command on a map, or on a region of it.
+/// Adds a command on a map or on a region of it.
 CLI::App* AddMapEdit(CLI::App& edit, const char* name, const char* what, const std::shared_ptr<EditOptions>& options,
                      Session& session, ExitCode (*run)(const Session&, const EditOptions&)) {
   CLI::App* command = edit.add_subcommand(name, what);
@@ -382,7 +382,7 @@ void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& optio
                     "Let mapping put nothing there from now on, under this name");
 }
 
-/// What moves an object, all in the map frame.
+/// Commands that move an object, in the map frame.
 void AddMotionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {
   CLI::App* move = AddEdit(edit, "move", "Give it another pose", options, session, RunMove);
   AddPoseFlags(*move, options->pose);

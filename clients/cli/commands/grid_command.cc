@@ -21,7 +21,7 @@ struct GridCommand {
   double padding_m = 0;
 };
 
-/// Head of a .npy file, version 1.0, of little-endian floats, z slowest: its length is a multiple of 64.
+/// Header of a .npy file, version 1.0: little-endian floats, z is the slowest index. Its length is a multiple of 64.
 std::string NumpyHead(int num_z, int num_y, int num_x) {
   static_assert(std::endian::native == std::endian::little);
   std::string text = "{'descr': '<f4', 'fortran_order': False, 'shape': (" + std::to_string(num_z) + ", " +

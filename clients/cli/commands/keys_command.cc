@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap keys create|list|rotate|revoke: the server's keys, in its file on this machine. dhpmap whoami: whose key is
-// it.
+// dhpmap keys create|list|rotate|revoke: edits the server's key file on this machine. dhpmap whoami: the principal of a
+// key.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -39,7 +39,7 @@ ExitCode Report(const Status& status) {
   return ReportLocalError(status.message(), is_usage ? ExitCode::kUsage : ExitCode::kLocalFile);
 }
 
-/// The key goes to stdout alone, so that `> key.txt` has it and nothing else.
+/// Only the key goes to stdout, so that `> key.txt` captures nothing else.
 ExitCode Show(const Session& session, const auth::ShownKey& key) {
   if (session.json) {
     std::cout << nlohmann::ordered_json{{"id", key.record.id}, {"name", key.record.name}, {"key", key.text}}.dump(1)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap log: who has edited what of a map.
+// dhpmap log: lists the edits of a map.
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
@@ -49,7 +49,7 @@ void Print(const v1::LoggedEdit& edit) {
   std::cout << (edit.undone() ? " (undone)" : "") << "\n";
 }
 
-/// The newest edits, page by page, until there are enough.
+/// Reads the newest edits page by page, up to the requested number.
 ExitCode RunLog(const Session& session, const LogOptions& options) {
   v1::ListEditsRequest request;
   request.set_parent(MapName(options.map));

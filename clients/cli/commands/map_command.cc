@@ -32,13 +32,13 @@ struct MapOptions {
 
 std::atomic<bool> g_is_interrupted = false;
 
-/// The first Ctrl-C ends the stream in good order, the second one the program.
+/// The first Ctrl-C ends the stream in good order, the second one ends the program.
 void OnInterrupt(int) {
   g_is_interrupted = true;
   std::signal(SIGINT, SIG_DFL);
 }
 
-/// "auto" takes predictions where the data set has them.
+/// "auto" uses predictions if the data set has them.
 Result<std::unique_ptr<Dataset>> Open(const MapOptions& options) {
   const DatasetOptions dataset_options{.drop_moving_points = !options.keep_moving_points};
   if (options.labels != "auto") {
@@ -51,13 +51,13 @@ Result<std::unique_ptr<Dataset>> Open(const MapOptions& options) {
   return OpenDataset(options.directory, options.format, LabelSource::kNone, dataset_options);
 }
 
-/// One run of frames into a map.
+/// Streams frames into a map once.
 class Run {
  public:
   Run(const MapOptions& options, Dataset& dataset, AckSummary& summary, ProgressBar& progress)
       : options_(options), dataset_(dataset), summary_(summary), progress_(progress) {}
 
-  /// Streams and reports; the caller still has to look at the counts.
+  /// Streams and reports; the caller evaluates the counts.
   client::Status Stream(const std::shared_ptr<client::Caller>& caller, const std::vector<std::size_t>& indices) {
     const FrameSession session{.map = MapName(options_.map.name),
                                .name = options_.session,

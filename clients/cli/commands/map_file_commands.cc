@@ -41,7 +41,7 @@ struct ImportFile {
   std::string path, map;
 };
 
-/// Sends all of it, as long as the server takes it.
+/// Sends the file until the server stops accepting data.
 void SendFile(std::ifstream& file, std::int64_t num_bytes, const std::string& map_id,
               grpc::ClientWriterInterface<v1::ImportMapRequest>& stream) {
   ProgressBar progress(static_cast<std::size_t>(num_bytes), "bytes");
@@ -49,14 +49,14 @@ void SendFile(std::ifstream& file, std::int64_t num_bytes, const std::string& ma
   part.set_map_id(map_id);
   part.set_total_bytes(num_bytes);
   std::int64_t num_sent = 0;
-  // The first says what comes, so that a name that is taken costs nothing.
+  // The first message has no data, so that a name conflict costs nothing.
   for (bool has_more = stream.Write(part); has_more && num_sent < num_bytes;) {
     part.Clear();
     std::string& data = *part.mutable_data();
     data.resize(kPartBytes);
     file.read(data.data(), static_cast<std::streamsize>(data.size()));
     data.resize(static_cast<std::size_t>(file.gcount()));
-    if (data.empty()) break;  // it has become shorter: the server sees that
+    if (data.empty()) break;  // the file was truncated: the server detects that
     num_sent += static_cast<std::int64_t>(data.size());
     has_more = stream.Write(part);
     progress.Show(static_cast<std::size_t>(num_sent), MegabytesASecond(num_sent, progress.elapsed_s()));

@@ -37,7 +37,7 @@ ExitCode RunList(const Session& session) {
               [](const auto& all) { PrintTable(all); });
 }
 
-/// A map as it is, or was at a revision.
+/// A map in its current state, or at a revision.
 struct MapAt {
   std::string name;
   std::int64_t read_revision = 0;
@@ -100,7 +100,7 @@ struct MapDeletion {
   bool yes = false;
 };
 
-/// Asks first: there is no way back, short of a backup.
+/// Asks first, because only a backup can undo it.
 ExitCode RunDeleteMap(const Session& session, const MapDeletion& deletion) {
   const std::string& name = deletion.name;
   if (!deletion.yes) {
@@ -157,7 +157,7 @@ ExitCode RunFinish(const Session& session, const std::string& name) {
   });
 }
 
-/// A command that takes the name of a map.
+/// Adds a command with the name of a map.
 void AddNamed(CLI::App& app, const char* name, const char* what, Session& session,
               ExitCode (*run)(const Session&, const std::string&)) {
   auto map = std::make_shared<std::string>();
@@ -166,7 +166,7 @@ void AddNamed(CLI::App& app, const char* name, const char* what, Session& sessio
   command->callback([map, run, &session] { session.exit_code = run(session, *map); });
 }
 
-/// Likewise, one that reads the map and can do so in its past.
+/// The same for a command that can read a past state of the map.
 void AddNamed(CLI::App& app, const char* name, const char* what, Session& session,
               ExitCode (*run)(const Session&, const MapAt&)) {
   auto wanted = std::make_shared<MapAt>();

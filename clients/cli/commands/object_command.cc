@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap query search, relations: which objects are there, and what is on, in or next to what?
+// dhpmap query search, relations: finds objects, and what is on, in or next to an object.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
@@ -24,7 +24,7 @@ struct SearchCommand {
 
 struct RelationsCommand {
   std::string map;
-  std::int64_t id = -1;  ///< -1: of all objects
+  std::int64_t id = -1;  ///< -1: all objects
   std::vector<std::string> kinds;
   double max_gap_m = 0.5;
   AskerFlags asker;

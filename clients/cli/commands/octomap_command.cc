@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap export octomap: occupied and free space as a file that OctoMap reads.
+// dhpmap export octomap: occupied and free space as an OctoMap file.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ namespace {
 
 struct OctomapOptions {
   std::string map, file;
-  double resolution_m = 0;        ///< 0: the voxels'
-  std::vector<double> heights_m;  ///< from, to; empty: of all surfaces
+  double resolution_m = 0;        ///< 0: that of the voxels
+  std::vector<double> heights_m;  ///< lowest and highest; empty: all surfaces
   std::int64_t read_revision = 0;
 };
 
@@ -31,7 +31,7 @@ struct Heights {
   double low_m = std::numeric_limits<double>::infinity(), high_m = -std::numeric_limits<double>::infinity();
 };
 
-/// Between which heights there is any surface: of the boxes that are told, else of the spheres around objects.
+/// The height range of all surfaces: from boxes where known, else from bounding spheres.
 Heights HeightsOf(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {
   Heights all;
   const auto reach = [&all](double middle_m, double half_m) {
@@ -48,7 +48,7 @@ Heights HeightsOf(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps)
   return all;
 }
 
-/// Fills in what the command line leaves open, from one state of the map.
+/// Completes missing options from one state of the map.
 client::Status Complete(const Session& session, OctomapOptions& options) {
   const auto map = GetMap(session, options.map, options.read_revision);
   if (!map.ok()) return map.status();
@@ -65,7 +65,7 @@ client::Status Complete(const Session& session, OctomapOptions& options) {
   return {};
 }
 
-/// The cells of a layer: a slice as thick as a cell.
+/// Adds the cells of a layer: a slice as thick as a cell.
 Status AddLayer(const v1::QueryOccupancySliceResponse& slice, int layer, OctomapFile& octomap) {
   const auto cell_of = [&slice](double outer_m) {
     return static_cast<int>(std::lround(outer_m / slice.resolution_m()));
@@ -85,9 +85,9 @@ Status AddLayer(const v1::QueryOccupancySliceResponse& slice, int layer, Octomap
   return Status::Ok();
 }
 
-/// kOk: all layers are in it. What went wrong is told.
+/// kOk if all layers were read. Reports errors.
 ExitCode ReadLayers(const Session& session, const OctomapOptions& options, OctomapFile& octomap) {
-  if (options.heights_m.empty()) return ExitCode::kOk;  // nothing is mapped
+  if (options.heights_m.empty()) return ExitCode::kOk;  // the map is empty
   const double low = std::floor(options.heights_m[0] / options.resolution_m);
   const double high = std::ceil(options.heights_m[1] / options.resolution_m);
   if (!(low >= -OctomapFile::kReach && high <= OctomapFile::kReach)) {

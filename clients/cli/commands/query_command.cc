@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap query point, distances, rays (collisions, trajectory: check_command.cc): what is at these points, how far are
-// they from surfaces, what do rays meet?
+// dhpmap query point, distances, rays (collisions, trajectory: check_command.cc): objects at points, distances to
+// surfaces, hits of rays.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
@@ -24,7 +24,7 @@ constexpr std::size_t kMostColumns = 10;
 struct PointOptions {
   std::string map, file;
   std::vector<float> xyz_m;
-  AskerFlags asker;  ///< of `query point`; the others have it in their flags
+  AskerFlags asker;  ///< for `query point`; other commands have it in their flags
 };
 
 struct DistancesOptions {
@@ -44,7 +44,7 @@ Result<std::vector<float>> ReadAll(const PointOptions& options) {
   return options.xyz_m;
 }
 
-/// The points of the command line, a file or stdin. If there is something wrong with them, says so in `exit_code`.
+/// The points from the command line, a file or stdin. On an error reports it and sets `exit_code`.
 std::optional<std::vector<float>> Points(const PointOptions& options, ExitCode& exit_code) {
   auto xyz_m = ReadAll(options);
   if (!xyz_m.ok()) {

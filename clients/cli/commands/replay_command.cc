@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap replay: feeds what a server has recorded into a new map.
+// dhpmap replay: feeds a server's recording into a new map.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
@@ -45,7 +45,7 @@ Result<v1::CreateMapRequest> RequestOf(const v1::RecordStart& start, const Repla
   return request;
 }
 
-/// At `rate` times the speed of the record; 0: without waiting.
+/// Waits so that the replay runs at `rate` times the recorded speed; 0: does not wait.
 class Pace {
  public:
   explicit Pace(double rate) : rate_(rate) {}
@@ -62,7 +62,7 @@ class Pace {
   std::optional<std::int64_t> first_ns_;
 };
 
-/// One run of a record into a map.
+/// Replays one recording into a map.
 class Replay {
  public:
   Replay(RecordReader& reader, const Session& session, ReplayEdits& edits, const ReplayOptions& options, Counts& counts)
@@ -78,7 +78,8 @@ class Replay {
     std::optional<v1::Record> next = Read();
     while (next && status_.ok()) {
       const v1::Record record = *std::exchange(next, Read());
-      // What was refused then has changed nothing. That of a server which died over it has no refusal, and is sent.
+      // Skip frames that were refused: they changed nothing. A frame without a recorded answer, such as after a crash,
+      // is sent.
       if (record.has_frame() && next && next->has_refused()) ++counts_.num_skipped;
       else if (record.has_frame()) Send(record);
       else if (record.has_edited()) Edit(record.edited());
@@ -103,7 +104,7 @@ class Replay {
     status_ = streams_.Send(record.frame().session(), record.frame().sequence(), std::move(request));
   }
 
-  /// In its turn among the frames. One that the server refuses is only told: with other settings there may be other
+  /// Makes the edit in its order among the frames. A refusal is only reported: with other settings there may be other
   /// objects.
   void Edit(const v1::RecordedEdit& edit) {
     if (!ReplayEdits::Knows(edit)) {

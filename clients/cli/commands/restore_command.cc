@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap restore: a map, or one of its objects, as it was at a revision.
+// dhpmap restore: returns a map, or one of its objects, to a past revision.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -15,7 +15,7 @@ namespace {
 struct RestoreFlags : EditFlags {
   std::string map;
   std::int64_t revision = 0;
-  std::int64_t id = -1;  ///< -1: all of the map
+  std::int64_t id = -1;  ///< -1: the whole map
 };
 
 void PrintRestored(const char* what, const google::protobuf::RepeatedPtrField<std::string>& names) {
@@ -48,7 +48,7 @@ void AddRestoreCommand(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand("restore", "Restore a map, or one of its objects, to an earlier revision");
   command->add_option("map", flags->map, "Name of the map")->required();
   command->add_option("--revision", flags->revision, "Back to this revision")->required();
-  // Else one that is mistyped would take back all of the map.
+  // Otherwise a mistyped id would restore the whole map.
   command->add_option("--submap", flags->id, "Instance id of the one object; default: all of the map")
       ->check(CLI::NonNegativeNumber);
   AddEditFlags(*command, *flags, "the object, or of the map");

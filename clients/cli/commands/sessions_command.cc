@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap sessions list|end: who feeds a map.
+// dhpmap sessions list|end: the feed sessions of a map.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <string>

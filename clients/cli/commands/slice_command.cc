@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap query slice: a band of heights as a map that nav2 loads.
+// dhpmap query slice: a height band as an occupancy map for nav2.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>

@@ -30,7 +30,7 @@ std::string StateName(const v1::Submap& submap) {
   return submap.locked() ? name + ", locked" : name;
 }
 
-/// Of its box; "-": none is told.
+/// The size of its box; "-" if it has none.
 std::string SizeOf(const v1::Submap& submap) {
   if (!submap.has_oriented_box()) return "-";
   const v1::Vector3& size = submap.oriented_box().size_m();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap ui: where a map is seen in the browser.
+// dhpmap ui: prints or opens the viewer's link to a map.
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -13,7 +13,7 @@
 #include "clients/cli/new_map.h"
 #include "clients/cli/ui_link.h"
 
-extern char** environ;  // NOLINT: POSIX names it so
+extern char** environ;  // NOLINT: name given by POSIX
 
 namespace dhpmap {
 namespace {
@@ -24,7 +24,7 @@ struct UiOptions {
   bool opens = false;
 };
 
-/// By what the desktop opens links with. False: there is nothing of the kind.
+/// Opens the link with the desktop's handler. False if there is none.
 bool OpenInBrowser(const std::string& link) {
   std::string program = "xdg-open", argument = link;
   std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
@@ -36,7 +36,7 @@ bool OpenInBrowser(const std::string& link) {
 
 ExitCode Run(const Session& session, const UiOptions& options) {
   if (!options.map.empty()) {
-    // A link to a map that is not there would show nothing.
+    // A link to a missing map would show nothing.
     if (const auto map = GetMap(session, options.map); !map.ok()) return ReportError(session, map.status());
   }
   const std::string link = UiLink(options.http.empty() ? HttpOf(session.server) : options.http, options.map);

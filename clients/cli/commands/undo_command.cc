@@ -24,7 +24,7 @@ void PrintObjectIds(const char* what, const google::protobuf::RepeatedPtrField<s
   for (const std::string& name : names) std::cout << " " << name.substr(name.rfind('/') + 1);
 }
 
-/// `method` is the RPC, `done` what it does.
+/// `method`: the RPC; `done`: a verb for its effect.
 template <typename Request, typename Response>
 ExitCode RunReversal(const Session& session, const UndoOptions& options, const char* done,
                      grpc::Status (v1::EditService::Stub::*method)(grpc::ClientContext*, const Request&, Response*)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap verify: is what is stored of a map whole?
+// dhpmap verify: checks the stored data of a map.
 #include <CLI/CLI.hpp>
 #include <iostream>
 

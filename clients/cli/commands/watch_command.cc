@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap watch: what becomes of a map, as it is stored.
+// dhpmap watch: prints the changes of a map as they are stored.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
@@ -120,13 +120,13 @@ void Print(const v1::WatchMapResponse& message) {
   for (const v1::SubmapEvent& event : change.submaps()) PrintEvent(event);
 }
 
-/// Everything up to so far is told.
+/// The revision up to which all events were printed.
 std::int64_t RevisionOf(const std::string& position) {
   const std::size_t dash = position.find('-');
   return dash == std::string::npos ? -1 : std::atoll(position.c_str() + dash + 1);
 }
 
-/// Goes on after the last position whenever the connection is lost, as long as it comes back in time.
+/// Resumes after the last position whenever the connection is lost, if it returns in time.
 ExitCode RunWatch(const Session& session, const WatchOptions& options) {
   bool was_there = false, is_told = false;
   std::string position;

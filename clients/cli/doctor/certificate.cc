@@ -22,7 +22,7 @@ struct Place {
   std::string host, port;
 };
 
-/// Of "host:port" and "[v6]:port".
+/// Parses "host:port" and "[v6]:port".
 std::optional<Place> PlaceOf(const std::string& address) {
   const std::size_t colon = address.rfind(':');
   if (address.starts_with("unix:") || colon == std::string::npos) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<Place> PlaceOf(const std::string& address) {
   return place;
 }
 
-/// Connected, or -1. SO_SNDTIMEO bounds connect, too.
+/// Returns a connected socket, or -1. SO_SNDTIMEO limits connect, too.
 int ConnectTo(const Place& place) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
@@ -59,7 +59,7 @@ TlsSettings SettingsFor(const std::string& ca) {
   if (context == nullptr) return context;
   if (ca == "system") SSL_CTX_set_default_verify_paths(context.get());
   else if (!ca.empty()) SSL_CTX_load_verify_locations(context.get(), ca.c_str(), nullptr);
-  // The handshake ends well whatever the certificate is, and its fault is asked for.
+  // Let the handshake succeed with any certificate; the fault is read afterwards.
   SSL_CTX_set_verify(context.get(), SSL_VERIFY_NONE, nullptr);
   return context;
 }

@@ -7,18 +7,18 @@
 
 namespace dhpmap {
 
-/// What a client sees of a server's TLS.
+/// A server's TLS as a client sees it.
 struct CertificateSight {
-  bool is_reached = false;        ///< somebody listens there
-  bool is_tls = false;            ///< and speaks TLS
-  std::string fault;              ///< why the certificate is not to be trusted, in OpenSSL's words; empty: it is
-  bool is_expired = false;        ///< that it is so
-  bool is_of_other_name = false;  ///< or for another host
+  bool is_reached = false;        ///< a server listens there
+  bool is_tls = false;            ///< it speaks TLS
+  std::string fault;              ///< why the certificate is not trusted, as OpenSSL reports it; empty: it is trusted
+  bool is_expired = false;        ///< the reason is expiry
+  bool is_of_other_name = false;  ///< the reason is another host name
   std::int64_t expires_s = 0;     ///< UTC, since 1970
 };
 
-/// Connects to "host:port" and looks at the certificate; `ca` is a PEM file of whom to trust, "system" for those that
-/// this system trusts, or empty: nobody. Takes 5 s at most a step.
+/// Connects to "host:port" and checks the certificate. `ca`: a PEM file of trusted CAs, "system" for those of this
+/// system, or empty for none. Takes at most 5 s a step.
 CertificateSight LookAtCertificate(const std::string& address, const std::string& ca);
 
 }  // namespace dhpmap

@@ -20,7 +20,7 @@ double Seconds(SystemClock::duration time) { return std::chrono::duration<double
 
 Finding Unreached(const std::string& address, const std::string& ca, const client::Status& status) {
   Finding finding{.health = Health::kFail, .what = "connection", .text = "no server answers at " + address};
-  if (status.code != client::StatusCode::kUnavailable) {  // there was no try
+  if (status.code != client::StatusCode::kUnavailable) {  // nothing was tried
     finding.text = status.message;
     finding.advice = "see what --ca and --token-file name";
     return finding;
@@ -86,7 +86,7 @@ std::vector<Finding> Examine(const std::string& address, const std::string& ca, 
     findings.push_back(Unreached(address, ca, server.status()));
     return findings;
   }
-  (void)server->GetStatus();  // the first call takes longer than the way there and back
+  (void)server->GetStatus();  // the first call includes connecting and would distort the round trip
   const auto asked = SystemClock::now();
   const auto status = server->GetStatus();
   const auto answered = SystemClock::now();

@@ -9,12 +9,12 @@
 
 namespace dhpmap {
 
-/// Looks at a server as a client of this version sees it. Where it cannot be reached the rest is left out. `ca` as of
-/// LookAtCertificate; `options` say the same to the library.
+/// Examines a server as a client of this version sees it. If it is unreachable, the later checks are left out. `ca` as
+/// for LookAtCertificate; `options` must match it.
 std::vector<Finding> Examine(const std::string& address, const std::string& ca, const client::ConnectOptions& options,
                              const std::string& version);
 
-/// A line each, and below it what to do.
+/// A line each, followed by the advice.
 std::string FindingsText(const std::vector<Finding>& findings);
 /// {"health": "warn", "findings": [{"what", "health", "text", "advice"}]}.
 std::string FindingsJson(const std::vector<Finding>& findings);

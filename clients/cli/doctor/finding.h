@@ -8,15 +8,15 @@ namespace dhpmap {
 
 enum class Health { kOk, kWarn, kFail };
 
-/// What was looked at, how it is, and what to do where it is not well.
+/// The result of one check, with advice if something is wrong.
 struct Finding {
   Health health = Health::kOk;
   std::string what;    ///< "disk"
   std::string text;    ///< "12 GiB of 100 GiB are free"
-  std::string advice;  ///< empty: nothing is to be done
+  std::string advice;  ///< empty: nothing to do
 };
 
-/// The worst of them.
+/// The worst health of all findings.
 Health WorstOf(const std::vector<Finding>& findings);
 /// "ok", "warn" or "fail".
 const char* HealthName(Health health);

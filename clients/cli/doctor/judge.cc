@@ -13,10 +13,10 @@ constexpr std::int64_t kDay_s = 86'400;
 constexpr std::int64_t kRenew_s = 14 * kDay_s;
 constexpr double kClockWarn_s = 1, kClockFail_s = 60;
 constexpr std::int64_t kMebibyte = 1 << 20;
-/// Imports leave as much.
+/// Imports leave the same amount free.
 constexpr std::int64_t kDiskFail_bytes = 256 * kMebibyte;
 constexpr std::int64_t kDiskWarn_bytes = 1024 * kMebibyte;
-/// An upgrade keeps a copy of the database, and so much free beside it.
+/// An upgrade copies the database and needs this much more.
 constexpr std::int64_t kBesideCopy_bytes = 64 * kMebibyte;
 constexpr double kSilence_s = 5;
 constexpr double kRefusedShare = 0.05;
@@ -62,7 +62,7 @@ Finding JudgeCertificate(const CertificateSight& sight, std::int64_t now_s) {
 
 Finding JudgeClock(double ahead_s, double within_s) {
   Finding finding{.what = "clock"};
-  const double off_s = std::max(0.0, std::abs(ahead_s) - within_s);  // at least
+  const double off_s = std::max(0.0, std::abs(ahead_s) - within_s);  // lower bound
   finding.text =
       off_s == 0 ? "the server's is that of this machine, to within " + Fixed(1e3 * std::max(within_s, 1e-3), 0) + " ms"
                  : "the server's is " + Fixed(std::abs(ahead_s), 3) + " s " + (ahead_s > 0 ? "ahead of" : "behind") +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot of spheres plans its way through a mapped apartment. Then a sofa is moved into its way; the watch tells, and
-// it plans again.
+// Plans the path of a robot of spheres through a mapped apartment. Then moves a sofa into its way, learns of it by a
+// watch, and plans again.
 //   plan ADDRESS MAP START_X START_Y GOAL_X GOAL_Y
 // Prints a line a path: the map's revision, then x, y and yaw of each waypoint.
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -31,10 +31,10 @@ using Se2 = ob::SE2StateSpace;
 
 constexpr double kSolve_s = 20;
 constexpr unsigned kSeed = 1;
-constexpr double kSofa_m = 1.5;  // so near to the start or the goal it would stand on them
+constexpr double kSofa_m = 1.5;  // closer to start or goal the sofa would stand on them
 const dc::QueryOptions kOptions{.unknown = dc::Unknown::kFree};
 
-/// A base of two balls side by side, and a mast: none of it touches the floor.
+/// A base of two spheres side by side, and a mast: none of it touches the floor.
 dc::Spheres Robot() {
   return {.spheres_m = {{{0.08, 0, 0.3}, 0.2}, {{-0.08, 0, 0.3}, 0.2}, {{0, 0, 0.7}, 0.15}}, .may_touch = {}};
 }
@@ -43,14 +43,14 @@ struct Place {
   double x_m, y_m;
 };
 
-/// A path and the revision of the map that it is through.
+/// A path, and the revision of the map for which it was planned.
 struct Way {
   std::int64_t revision = 0;
   std::vector<dc::Pose> waypoints;
   std::vector<double> yaw_rad;
 };
 
-/// Says what is in the way there, if anything is.
+/// Reports the obstacle at the place, if there is one.
 bool IsFree(const dc::Queries& queries, const char* name, const Place& place) {
   const std::vector<dc::Pose> pose{dc::PoseAt({place.x_m, place.y_m, 0})};
   const auto checks = queries.CheckPoses(Robot(), pose, kOptions);
@@ -61,7 +61,7 @@ bool IsFree(const dc::Queries& queries, const char* name, const Place& place) {
   return false;
 }
 
-/// All of one state of the map.
+/// Uses one state of the map.
 std::optional<Way> Plan(const dc::Map& map, const Place& start, const Place& goal) {
   const dc::Result<dc::Pinned> pinned = map.Pin();
   if (!pinned.ok()) return std::cerr << pinned.status().ToString() << "\n", std::nullopt;
@@ -120,7 +120,7 @@ bool IsNear(const dc::Vector3& at_m, const Place& place) {
   return std::hypot(at_m.x - place.x_m, at_m.y - place.y_m) < kSofa_m;
 }
 
-/// Into the middle of a leg of the way, until there is another way.
+/// Moves the sofa into the middle of a leg of the path, until there is another path.
 int BlockAndPlanAgain(const dc::Map& map, const Way& way, const Place& start, const Place& goal) {
   const auto sofas = map.Find("sofa");
   if (!sofas.ok() || sofas->empty() || !sofas->front().box) return std::cerr << "there is no sofa\n", EXIT_FAILURE;
@@ -136,7 +136,7 @@ int BlockAndPlanAgain(const dc::Map& map, const Way& way, const Place& start, co
     const auto edited = edit.Apply();
     if (!edited.ok()) return Fail(edited.status());
 
-    for (std::int64_t told = 0; told < edited->revision;) {  // as somebody else would hear of it
+    for (std::int64_t told = 0; told < edited->revision;) {  // learned from the watch, as another client would
       const auto change = watch.Next();
       if (!change.ok()) return Fail(change.status());
       told = (*change)->revision;

@@ -17,7 +17,7 @@ Edit::Impl::Impl(std::shared_ptr<Caller> through, const std::string& map, const 
 }
 
 v1::Edit& Edit::Impl::Add(const Target& object) {
-  const std::string name = NameOf(object);  // a new object is named as it stands before this edit
+  const std::string name = NameOf(object);  // before Add: the number of a new object depends on the edits so far
   v1::Edit& edit = Add();
   edit.set_submap(name);
   if (options.only_if_unedited) edit.set_etag(object.etag());

@@ -10,7 +10,7 @@
 
 namespace dhpmap::client {
 
-/// A list that is being collected.
+/// The list of collected edits.
 struct Edit::Impl {
   Impl(std::shared_ptr<Caller> through, const std::string& map, const EditOptions& how);
 
@@ -21,7 +21,7 @@ struct Edit::Impl {
   v1::Edit& Add() { return *request.add_edits(); }
   v1::Edit& Add(const Target& object);
   [[nodiscard]] std::string NameOf(const Target& object) const;
-  /// What the last edit makes.
+  /// The object that the last edit creates.
   [[nodiscard]] NewObject Made() const { return {request.edits_size() - 1}; }
   [[nodiscard]] Result<Edited> Send(const v1::ApplyEditsRequest& edits) const;
 };

@@ -12,7 +12,7 @@
 namespace dhpmap::client {
 namespace {
 
-/// The last sequence that the session has taken; 0: none.
+/// The last sequence that the session has accepted; 0: none.
 Result<std::int64_t> LastTaken(Caller& caller, const std::string& map, const std::string& session) {
   v1::ListSessionsRequest request;
   request.set_parent(map);

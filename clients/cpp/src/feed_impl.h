@@ -10,9 +10,9 @@
 
 namespace dhpmap::client {
 
-/// Checks frames and numbers them. For one thread.
+/// Checks and numbers frames. For one thread.
 struct Feed::Impl {
-  /// Waits for the server's greeting.
+  /// Waits for the server's first message.
   static Result<std::unique_ptr<Impl>> Open(const std::shared_ptr<Caller>& caller, const std::string& map,
                                             const FeedOptions& options);
 

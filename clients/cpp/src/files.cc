@@ -49,10 +49,10 @@ Status AppendVoxels(const v1::StreamSubmapVoxelsResponse& part, Voxels& voxels) 
   return {};
 }
 
-/// As long as the server takes it.
+/// Sends the file until the server stops accepting data.
 void SendFile(std::ifstream& file, v1::ImportMapRequest first,
               grpc::ClientWriterInterface<v1::ImportMapRequest>& stream) {
-  // The first says what comes, so that a name that is taken costs nothing.
+  // The first message has no data, so that a name conflict costs nothing.
   v1::ImportMapRequest part = std::move(first);
   while (stream.Write(part)) {
     part.Clear();

@@ -10,7 +10,7 @@
 
 namespace dhpmap::client {
 
-/// Hands on a file that the server sends in parts: `data`, and `total_bytes` in the first.
+/// Passes on a file that the server sends in parts: `data`, and `total_bytes` in the first.
 template <typename Part>
 Result<FileInfo> TakeFile(Parts<Part>& parts, const TakePart& take) {
   FileInfo info;

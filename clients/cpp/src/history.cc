@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The log of a map, and going back in it.
+// The log of a map; undo, redo and restore.
 #include "dhpmap/history.h"
 
 #include <algorithm>

@@ -16,7 +16,7 @@
 namespace dhpmap::client {
 namespace {
 
-/// UndoEditsRequest or RedoEditsRequest.
+/// Builds an UndoEditsRequest or RedoEditsRequest.
 template <typename Request>
 Request UndoRequest(const Caller& caller, const std::string& map, const UndoOptions& options) {
   Request request;

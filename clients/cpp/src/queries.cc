@@ -19,8 +19,8 @@ constexpr int kMostAPage = 1000;
 
 using Query = v1::StreamQueriesRequest;
 
-/// Asks all, in several calls where one would be too large: the later ones of the first one's revision. `ask` sets the
-/// part's query, and gives its request; `answered` gives the response.
+/// Asks all questions, in several calls if one would be too large; later ones use the revision of the first. `ask` sets
+/// the query of a part, and returns its request; `answered` returns the response.
 template <typename Answer, typename Question, typename Ask, typename Answered>
 Result<Answers<Answer>> AskInParts(Source& source, std::span<const Question> questions, double deadline_s,
                                    const Ask& ask, const Answered& answered) {
@@ -207,7 +207,7 @@ Loop::Loop(std::shared_ptr<Source> source) : Queries(std::move(source)) {}
 
 Result<std::int64_t> Loop::Pin(std::int64_t revision) {
   if (revision < 0) return BadArgument("revision", std::to_string(revision) + " is none");
-  return static_cast<StreamSource&>(*source()).Pin(revision);  // Map::Loop makes it so
+  return static_cast<StreamSource&>(*source()).Pin(revision);  // Map::Loop creates a StreamSource
 }
 
 Status Loop::Unpin() { return static_cast<StreamSource&>(*source()).Pin(-1).status(); }

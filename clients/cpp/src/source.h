@@ -11,8 +11,8 @@
 
 namespace dhpmap::client {
 
-/// Where a query goes: to a map, now or as it was at a revision, by a call or on a stream. Thread-safe, unless the way
-/// says otherwise.
+/// The destination of queries: a map, now or at a revision, by single calls or on a stream. Thread-safe, unless a
+/// derived class says otherwise.
 class Source {
  public:
   explicit Source(std::string map, std::int64_t read_revision = 0)
@@ -21,15 +21,15 @@ class Source {
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
-  /// The answer to the one query that is set; deadline_s 0: that of the connection.
+  /// Answers the query that is set; deadline_s 0: that of the connection.
   virtual Result<v1::StreamQueriesResponse> Answer(v1::StreamQueriesRequest query, double deadline_s) = 0;
 
-  /// One distance grid, by a call of its own, of the state that other queries are of; deadline_s as above.
+  /// Requests a distance grid by a separate call, from the same state as other queries; deadline_s as above.
   virtual std::unique_ptr<Parts<v1::QueryDistanceGridResponse>> AnswerGrid(v1::QueryDistanceGridRequest query,
                                                                            double deadline_s) = 0;
 
   [[nodiscard]] const std::string& map() const { return map_; }  // maps/{map}
-  /// That queries are to name; 0: none.
+  /// The revision that queries must name; 0: none.
   [[nodiscard]] std::int64_t read_revision() const { return read_revision_; }
 
  private:
@@ -37,7 +37,7 @@ class Source {
   const std::int64_t read_revision_;
 };
 
-/// One call a query.
+/// Sends each query as one call.
 std::shared_ptr<Source> MakeCalledSource(std::shared_ptr<Caller> caller, std::string map,
                                          std::int64_t read_revision = 0);
 

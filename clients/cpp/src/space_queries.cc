@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Queries of space as a whole: slices, grids, relations.
+// Queries of regions: slices, grids, relations.
 #include <algorithm>
 #include <utility>
 
@@ -31,7 +31,7 @@ Result<Relation> RelationOf(const v1::Relation& told) {
                   told.gap_m()};
 }
 
-/// Of messages that come from the first node on.
+/// Appends the nodes of messages that arrive in order.
 Status AppendNodes(const v1::QueryDistanceGridResponse& part, DistanceGrid& grid) {
   if (part.status_size() != part.distance_m_size() ||
       static_cast<std::size_t>(part.first_node()) != grid.distance_m.size()) {

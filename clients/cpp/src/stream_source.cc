@@ -14,7 +14,7 @@ namespace {
 
 Status TooLate() { return Error(StatusCode::kDeadlineExceeded, "the answer took longer than the deadline"); }
 
-/// Whether the pinned state is no longer kept by the server.
+/// Whether the pin has expired.
 bool IsOldPin(const Status& status) {
   return status.code == StatusCode::kFailedPrecondition &&
          std::any_of(status.violations.begin(), status.violations.end(),
@@ -23,7 +23,7 @@ bool IsOldPin(const Status& status) {
 
 }  // namespace
 
-/// One call of the method. Each step ends by a deadline; after one that failed it is of no more use.
+/// One call of the RPC. Each step has a deadline; after a failed step the stream is unusable.
 class StreamSource::Stream {
  public:
   explicit Stream(Caller& caller) : caller_(caller) {
@@ -56,7 +56,7 @@ class StreamSource::Stream {
   }
 
  private:
-  /// Waits for what was begun.
+  /// Waits for the pending operation.
   Status Step(Clock::time_point end) {
     void* tag = nullptr;
     bool ok = false;
@@ -72,7 +72,7 @@ class StreamSource::Stream {
   grpc::ClientContext context_;
   grpc::CompletionQueue queue_;
   std::unique_ptr<grpc::ClientAsyncReaderWriter<v1::StreamQueriesRequest, v1::StreamQueriesResponse>> call_;
-  v1::StreamQueriesResponse answer_;  // outlives what was begun
+  v1::StreamQueriesResponse answer_;  // outlives the pending operation
   grpc::Status finished_;
   std::int64_t sequence_ = 0;
   bool is_open_ = false;
@@ -145,7 +145,7 @@ Status StreamSource::PinAgain(Clock::time_point end) {
   pin.mutable_pin()->set_read_revision(pinned_);
   const Result<v1::StreamQueriesResponse> answer = stream_->Exchange(pin, end);
   Status status = answer.ok() && answer->has_error() ? client::StatusOf(answer->error()) : answer.status();
-  if (!status.ok()) stream_.reset();  // or the next query would be of another state
+  if (!status.ok()) stream_.reset();  // else the next query would use another state
   return status;
 }
 

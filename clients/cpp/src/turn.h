@@ -7,12 +7,12 @@
 
 namespace dhpmap::client {
 
-/// One at a time, and who waits gives up at a deadline: what a Mutex cannot. Thread-safe.
+/// A mutex whose Take has a deadline. Thread-safe.
 class OneAtATime {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// False if it was not free by then.
+  /// False if it was not free by `end`.
   [[nodiscard]] bool Take(Clock::time_point end) DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     const auto is_free = [this]() DHPMAP_REQUIRES(mutex_) { return !is_taken_; };
@@ -34,7 +34,7 @@ class OneAtATime {
   bool is_taken_ DHPMAP_GUARDED_BY(mutex_) = false;
 };
 
-/// A turn, given back by its end.
+/// A turn, returned on destruction.
 class Turn {
  public:
   Turn(OneAtATime& turns, OneAtATime::Clock::time_point end) : turns_(turns), is_ours_(turns.Take(end)) {}

@@ -11,7 +11,7 @@
 namespace dhpmap::client {
 namespace {
 
-constexpr double kProgress_s = 5;  // so that a lost connection is noticed soon
+constexpr double kProgress_s = 5;  // short, to detect a lost connection soon
 constexpr double kForever_s = 3e7;
 
 v1::WatchMapRequest RequestOf(const std::string& map, const WatchOptions& options) {
@@ -31,7 +31,7 @@ v1::WatchMapRequest RequestOf(const std::string& map, const WatchOptions& option
 
 Watch::Impl::Impl(std::shared_ptr<Caller> caller, const std::string& map, const WatchOptions& options)
     : messages_(std::move(caller), RequestOf(map, options), options.reconnect_s, [this](const Status&) {
-        unfinished_.clear();  // comes again
+        unfinished_.clear();  // the server sends these again
         return true;
       }) {}
 

@@ -13,7 +13,7 @@
 
 namespace dhpmap::client {
 
-/// Changes of whole revisions, from the messages of a watch.
+/// Assembles the changes of whole revisions from the messages of a watch.
 struct Watch::Impl {
  public:
   Impl(std::shared_ptr<Caller> caller, const std::string& map, const WatchOptions& options);
@@ -26,7 +26,7 @@ struct Watch::Impl {
   void Take(const v1::WatchMapResponse& message);
 
   std::deque<Change> told_;
-  std::vector<Change> unfinished_;  // of revisions whose last message has not come
+  std::vector<Change> unfinished_;  // of revisions whose last message has not arrived
   std::int64_t revision_ = 0;
   MessageWatch messages_;
 };

@@ -7,26 +7,26 @@
 
 namespace dhpmap::evaluator {
 
-// The systems that the paper compares with (its section III, Baselines), written anew after their publications. All map
-// with the voxel size, truncation, ranges and weighting of the data set's preset, on the same frames.
+// The systems that the paper compares with (section III, Baselines), implemented anew from their publications. All map
+// the same frames with the voxel size, truncation, ranges and weighting of the data set's preset.
 
 /// Panmap (Schmid et al., Panoptic Multi-TSDFs, ICRA 2022): overlapping submaps, a projective integrator.
 std::unique_ptr<MappingSystem> MakePanmap(const SystemSetup& setup);
 
-/// The same with segments as they come, which may show several things.
+/// The same with segments as predicted, each of which may contain several things.
 std::unique_ptr<MappingSystem> MakePanmapOfWholeSegments(SystemSetup setup);
 
-/// Kimera-Semantics (Rosinol et al., ICRA 2020): one TSDF, Bayesian label of each voxel, no instances.
+/// Kimera-Semantics (Rosinol et al., ICRA 2020): one TSDF, a Bayesian label for each voxel, no instances.
 std::unique_ptr<MappingSystem> MakeKimera(const SystemSetup& setup);
 
-/// The same with Kimera's carving of free space: rays clear the surface that they pass. Labels are not written along
-/// them, where there is no surface to have one.
+/// The same with Kimera's carving of free space: rays clear surfaces that they pass through. They write no labels
+/// there, because free space has none.
 std::unique_ptr<MappingSystem> MakeKimeraWithCarving(SystemSetup setup);
 
-/// The plain yardstick: the TSDF of MakeKimera, and at each voxel the class that was predicted most often.
+/// The simple baseline: the TSDF of MakeKimera, and for each voxel the class predicted most often.
 std::unique_ptr<MappingSystem> MakeVotes(const SystemSetup& setup);
 
-/// MakeVotes, and of each class of things what lies together is an object (see NumberConnectedObjects).
+/// MakeVotes, with each connected part of a thing class as an object (see NumberConnectedObjects).
 std::unique_ptr<MappingSystem> MakeVotesWithObjects(const SystemSetup& setup);
 
 }  // namespace dhpmap::evaluator

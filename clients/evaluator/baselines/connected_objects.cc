@@ -13,7 +13,7 @@
 namespace dhpmap::evaluator {
 namespace {
 
-/// Cells of one class, each in a set with those that it touches.
+/// Cells of one class in disjoint sets of connected cells (union-find).
 class Islands {
  public:
   std::uint32_t Add(BlockIndex cell) {
@@ -24,7 +24,7 @@ class Islands {
 
   void JoinNeighbours() {
     for (const auto& [c, number] : numbers_) {
-      for (int n = 14; n < 27; ++n) {  // half of the neighbours: the other half finds this one
+      for (int n = 14; n < 27; ++n) {  // half of the neighbours suffices: the relation is symmetric
         const auto it = numbers_.find({c.x + n % 3 - 1, c.y + n / 3 % 3 - 1, c.z + n / 9 - 1});
         if (it != numbers_.end()) Join(number, it->second);
       }

@@ -18,7 +18,7 @@ PanopticFrame WithoutSegments(const PanopticFrame& frame) {
   return out;
 }
 
-/// Some points of one class in one bundle; several segments may give some.
+/// Points of one class in one bundle; several segments may contribute.
 struct Part {
   std::uint32_t bundle;
   ClassId class_id;
@@ -49,7 +49,7 @@ void MergedRays::CountLabels(const PanopticFrame& frame, const std::vector<Segme
     const std::optional<ClassId> class_id = frame.segments[static_cast<std::size_t>(segment.row)].class_id;
     if (!class_id) continue;
     for (const BundleCell& cell : segment.cells) {
-      const BundleCell& whole = *rays_->Find(cell.block);  // the same points are in it
+      const BundleCell& whole = *rays_->Find(cell.block);  // contains the same points
       for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
         const Bundle& bundle = segment.bundles[b];
         parts.push_back({whole.BundleAt(bundle.linear), *class_id, bundle.num_points});

@@ -23,7 +23,7 @@ Panmap::Panmap(const SystemSetup& setup, std::string name)
       tracker_(setup.config, *setup.label_set, pool_),
       integrator_(setup.config, pool_) {}
 
-/// As MapBuilder does.
+/// As in MapBuilder.
 const std::vector<SegmentBundles>& Panmap::Bundle(const PanopticFrame& frame) {
   auto& segments = bundler_.BundleFrame(frame, frame.T_map_sensor, setup_.config.voxel_size_m);
   const int gap_vox = setup_.config.tracking.split_gap_vox;

@@ -12,10 +12,9 @@
 
 namespace dhpmap::evaluator {
 
-/// Panmap: panoptic submaps that live while they are tracked. Left out, since the data sets are of one session and
-/// static: its submap of free space, and change detection. It is given what is cut of segments that lie apart
-/// (SplitIntoParts, with the configuration's split_gap_vox), as our own pipeline is: it is no part of its method, but
-/// helps.
+/// Panmap: panoptic submaps with a life cycle by tracking. Omits its free-space submap and change detection, because
+/// the data sets are static, with one session. Segments are split into connected parts first (SplitIntoParts, with
+/// split_gap_vox of the configuration), as in our pipeline: this is not part of its method, but helps.
 class Panmap final : public MappingSystem {
  public:
   explicit Panmap(const SystemSetup& setup, std::string name = "panmap");
@@ -23,13 +22,13 @@ class Panmap final : public MappingSystem {
   [[nodiscard]] std::string name() const override { return name_; }
   [[nodiscard]] bool has_instances() const override { return true; }
   Status Integrate(const PanopticFrame& frame) override;
-  /// Deactivates everything and merges until nothing changes.
+  /// Deactivates all submaps and merges until nothing changes.
   void Finish() override;
-  /// All submaps' own surfaces, overlapping where submaps do. An instance's score is the share of its voxels' counts
-  /// that say it is of its class.
+  /// The own surfaces of all submaps, which may overlap. An instance's score is the share of its voxels' counts that
+  /// agree with its class.
   [[nodiscard]] LabelledSurface Surface() const override;
-  /// Of the submaps that have observed the point's voxel and to which it belongs, the one whose surface is nearest by
-  /// that voxel says.
+  /// The submap of a point: of those that have observed its voxel and own it, the one with the smallest distance to the
+  /// surface stored there.
   [[nodiscard]] std::optional<PointLabels> LabelsAt(std::span<const Eigen::Vector3f> points_m) const override;
   [[nodiscard]] SystemTimes times() const override { return times_; }
 

@@ -61,7 +61,7 @@ SurfaceRelation CompareSurfaces(const PanmapSubmap& a, const PanmapSubmap& b, co
     if (!in_a || !in_b) continue;
     const double weight = std::sqrt(share_of_full(in_a->weight) * share_of_full(in_b->weight));
     total += weight;
-    // What is foreign to b says nothing of b's surface.
+    // Voxels foreign to b give no information on b's surface.
     if (!b.Belongs(VoxelAt(p_m, voxel_size_m))) continue;
     if (in_b->distance_m < -max_error_m) conflict += weight;
     else if (in_b->distance_m <= max_error_m) match += weight;

@@ -7,19 +7,19 @@
 
 namespace dhpmap::evaluator {
 
-/// How the surface of one submap lies in another.
+/// Relation of one submap's surface to another's.
 enum class SurfaceRelation { kApart, kMatch, kConflict };
 
-/// Panmap's comparison: a surface point of `a` where `b` is known and has its own place supports a match if it is
-/// within the tolerance of `b`'s surface, and a conflict if it lies farther behind it. In front of it, `b` may just not
-/// have seen `a`'s part. Points weigh by how well both know them.
+/// Panmap's comparison. A surface point of `a` counts where `b` is observed and owns the place: as a match within the
+/// tolerance of `b`'s surface, as a conflict if it lies farther behind it. In front of it, `b` may just not have seen
+/// that part of `a`. Points are weighted by the weights of both submaps.
 SurfaceRelation CompareSurfaces(const PanmapSubmap& a, const PanmapSubmap& b, const PanmapSettings& settings);
 
-/// Merges what `from` has into `into`: weighted averages of the geometry, sums of the counts.
+/// Merges `from` into `into`: weighted averages of the geometry, sums of the counts.
 void MergeInto(const PanmapSubmap& from, const MapConfig& config, PanmapSubmap& into);
 
-/// Merges the inactive submap `id` with inactive submaps of its class whose surfaces match, as long as there are any.
-/// Returns whether there was one; the submap with the smaller id stays.
+/// Merges the inactive submap `id` with inactive submaps of its class whose surfaces match, until none is left. Returns
+/// whether it merged any; the submap with the smaller id remains.
 bool MergeWithInactive(SubmapId id, const MapConfig& config, const PanmapSettings& settings, PanmapSubmaps& submaps);
 
 }  // namespace dhpmap::evaluator

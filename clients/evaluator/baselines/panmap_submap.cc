@@ -32,7 +32,7 @@ bool PanmapSubmap::Belongs(VoxelIndex voxel) const {
 
 Submap PanmapSubmap::OwnGeometry() const {
   Submap own = geometry;
-  own.ShareBlocks();  // so that a block is copied before it is written to
+  own.ShareBlocks();  // so that blocks are copied before a write
   std::vector<BlockIndex> blocks;
   for (const BlockEntry& entry : geometry.blocks().entries()) blocks.push_back(entry.index);
   for (const BlockIndex block : blocks) {

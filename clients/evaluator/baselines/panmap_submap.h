@@ -11,13 +11,13 @@
 
 namespace dhpmap::evaluator {
 
-/// For each voxel of a block, how often what was seen there was of the submap's class, and how often not: Panmap's
-/// moving binary count. Bytes; when one is full, both are halved.
+/// Panmap's moving binary count: for each voxel of a block, how often observations there were of the submap's class,
+/// and how often not. Bytes; when one is full, both are halved.
 class BelongingBlock {
  public:
   void Add(std::size_t linear, bool belongs);
   void Add(std::size_t linear, const BelongingBlock& other);
-  /// True where nothing was counted.
+  /// True if nothing was counted.
   [[nodiscard]] bool Belongs(std::size_t linear) const { return belongs_[linear] >= foreign_[linear]; }
   [[nodiscard]] int NumBelonging(std::size_t linear) const { return belongs_[linear]; }
   [[nodiscard]] int NumForeign(std::size_t linear) const { return foreign_[linear]; }
@@ -27,7 +27,7 @@ class BelongingBlock {
   std::array<std::uint8_t, kBlockVoxels> belongs_{}, foreign_{};
 };
 
-/// A submap of Panmap: geometry of everything in its blocks, and which voxels of it are its own. On the map's grid.
+/// A submap of Panmap: the geometry of everything in its blocks, and which voxels belong to it, on the map's grid.
 /// `geometry.info()` has its class, life cycle and counters. Thread-compatible.
 struct PanmapSubmap {
   PanmapSubmap(SubmapInfo info, int num_reobservations)
@@ -35,18 +35,18 @@ struct PanmapSubmap {
 
   [[nodiscard]] bool IsActive() const { return geometry.info().activity == Activity::kActive; }
   [[nodiscard]] bool Belongs(VoxelIndex voxel) const;
-  /// The geometry with only the voxels that belong to it, for a mesh of these.
+  /// The geometry of only the voxels that belong to it, for meshing.
   [[nodiscard]] Submap OwnGeometry() const;
   /// Share of the counts that say "belongs".
   [[nodiscard]] float Confidence() const;
 
   Submap geometry;
   std::unordered_map<BlockIndex, BelongingBlock, BlockIndexHash> belonging;
-  int num_reobservations_left;  ///< in as many next frames it must be tracked, or it is deleted
-  bool was_tracked = true;      ///< in the present frame, or made in it
+  int num_reobservations_left;  ///< it must be tracked in this many further frames, else it is deleted
+  bool was_tracked = true;      ///< in the current frame, or created in it
 };
 
-/// By ascending id.
+/// Sorted by id.
 using PanmapSubmaps = std::vector<std::unique_ptr<PanmapSubmap>>;
 
 }  // namespace dhpmap::evaluator

@@ -87,7 +87,7 @@ std::vector<SubmapId> PanmapTracker::Assign(const PanopticFrame& frame, const st
       if (candidates[c]->geometry.info().class_id != *class_id) continue;
       const std::int64_t all = all_hits[c] + segments[s].num_points - hits[s][c];
       const double iou = static_cast<double>(hits[s][c]) / static_cast<double>(all);
-      if (iou < settings.iou_threshold || iou <= best_iou) continue;  // ties: the smaller id
+      if (iou < settings.iou_threshold || iou <= best_iou) continue;  // on ties the smaller id
       best_iou = iou;
       assigned[s] = candidates[c]->geometry.id();
     }

@@ -12,18 +12,17 @@
 
 namespace dhpmap::evaluator {
 
-/// Panmap's tracking of segments in the submaps that are active and in view. A point hits a submap where the voxel that
-/// holds it has a distance within the tolerance; the IoU of a segment and a submap counts the frame's points (Panmap's
-/// test by points, which its rendering approximates). A segment joins the submap of its own class, stuff and things
-/// alike, of highest IoU, or makes a new one if it is large enough, else it is left out. Two segments may join one
-/// submap.
+/// Panmap's assignment of segments to active submaps in view. A point hits a submap if the distance stored in its voxel
+/// is within the tolerance. The IoU of a segment and a submap counts points of the frame (Panmap's test by points,
+/// which its rendering approximates). A segment joins the submap of its class, stuff or thing, with the highest IoU;
+/// else it creates a new one if it is large enough, or is ignored. Two segments may join one submap.
 class PanmapTracker {
  public:
   PanmapTracker(const MapConfig& config, const LabelSet& label_set, ThreadPool& pool)
       : config_(config), label_set_(label_set), pool_(pool) {}
 
-  /// For each of `segments` (on the map's grid) the id of its submap, or 0 if it is left out. Makes submaps with ids
-  /// from `next_id` on, and marks those that were tracked.
+  /// Returns for each of `segments` (on the map's grid) the id of its submap, or 0 if it is ignored. Creates submaps
+  /// with ids from `next_id`, and marks the tracked ones.
   std::vector<SubmapId> Assign(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
                                const PanmapSettings& settings, PanmapSubmaps& submaps, SubmapId& next_id);
 

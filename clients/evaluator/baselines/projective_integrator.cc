@@ -21,15 +21,15 @@ std::uint8_t Blend(std::uint8_t old_value, float old_weight, std::uint8_t value,
 struct ProjectiveIntegrator::Target {
   BlockIndex index;
   TsdfBlock* tsdf = nullptr;
-  BelongingBlock* belonging = nullptr;  ///< null: the submap was not tracked, its counts stay
+  BelongingBlock* belonging = nullptr;  ///< null: the submap was not tracked, so its counts do not change
   ClassId class_id;
 };
 
-/// The frame as the integrator sees it.
+/// The frame in the form that the integrator needs.
 struct ProjectiveIntegrator::Sight {
   RangeView view;
   Transform T_sensor_map;
-  std::vector<std::optional<ClassId>> class_of_row;  ///< of the submap to which a segment went
+  std::vector<std::optional<ClassId>> class_of_row;  ///< of the submap assigned to the segment
 };
 
 void ProjectiveIntegrator::Allocate(const SegmentBundles& segment, const Eigen::Vector3d& sensor_m,
@@ -103,7 +103,7 @@ void ProjectiveIntegrator::UpdateBlock(const Sight& sight, Target& target) const
     distance_m =
         std::clamp((distance_m * old_weight + clamped_m * weight) / (old_weight + weight), -truncation_m, truncation_m);
     target.tsdf->weight[i] = std::min(old_weight + weight, max_weight);
-    if (sdf_m >= truncation_m) continue;  // free space: neither colour nor class
+    if (sdf_m >= truncation_m) continue;  // free space: no colour or class
     Color& color = target.tsdf->color[i];
     color = {Blend(color.r, old_weight, reading.color.r, weight), Blend(color.g, old_weight, reading.color.g, weight),
              Blend(color.b, old_weight, reading.color.b, weight)};
@@ -129,7 +129,7 @@ void ProjectiveIntegrator::Integrate(const PanopticFrame& frame, const std::vect
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (assigned[s] == kUnknownSubmap) continue;
     const auto row = static_cast<std::size_t>(segments[s].row);
-    sight.class_of_row[row] = frame.segments[row].class_id;  // segments only go to submaps of their class
+    sight.class_of_row[row] = frame.segments[row].class_id;  // segments are only assigned to submaps of their class
   }
   std::vector<Target> targets = FindTargets(frame, submaps);
   pool_.ParallelFor(targets.size(), [&](std::size_t i) { UpdateBlock(sight, targets[i]); });

@@ -15,7 +15,7 @@ constexpr float kDegree = std::numbers::pi_v<float> / 180.0f;
 constexpr float kScanTop = 3.0f * kDegree, kScanBottom = -25.0f * kDegree;
 constexpr float kColumnAngle = 2.0f * std::numbers::pi_v<float> / kScanColumns;
 constexpr float kRowAngle = (kScanTop - kScanBottom) / (kScanRows - 1);
-constexpr float kMaxStep_m = 0.2f;  ///< neighbours that differ more are of different surfaces
+constexpr float kMaxStep_m = 0.2f;  ///< neighbours that differ more are on different surfaces
 
 /// Rows of a frame's segment table by segment id.
 class RowFinder {
@@ -59,7 +59,7 @@ RangeView::RangeView(const PanopticFrame& frame, const IntegrationConfig& config
 }
 
 void RangeView::Put(std::size_t pixel, float range_m, int row, Color color) {
-  if (!(range_m >= config_.min_range_m && range_m <= config_.max_range_m)) return;  // false for NaN too
+  if (!(range_m >= config_.min_range_m && range_m <= config_.max_range_m)) return;  // false for NaN, too
   range_m_[pixel] = range_m;
   row_[pixel] = row;
   color_[pixel] = color;
@@ -96,7 +96,7 @@ void RangeView::FillFromScan(const PanopticFrame& frame) {
 
 bool RangeView::ProjectToImage(const Eigen::Vector3f& p, float& u, float& v) const {
   if (is_spherical_) {
-    u = (std::numbers::pi_v<float> - std::atan2(p.y(), p.x())) / kColumnAngle;  // 0..columns; the seam is behind
+    u = (std::numbers::pi_v<float> - std::atan2(p.y(), p.x())) / kColumnAngle;  // 0..columns; the seam points backwards
     v = (kScanTop - std::atan2(p.z(), std::hypot(p.x(), p.y()))) / kRowAngle;
     return v >= 0 && v <= kScanRows - 1;
   }

@@ -10,26 +10,26 @@
 
 namespace dhpmap::evaluator {
 
-/// What was measured in a direction.
+/// The measurement in one direction.
 struct RangeReading {
   float range_m = 0;  ///< from the sensor's origin
-  int row = -1;       ///< of the frame's segment table; -1 = of no known object
+  int row = -1;       ///< of the frame's segment table; -1: no known object
   Color color;
 };
 
-/// A frame as an image of ranges into which voxels are projected (Panmap's projective integrator). Depth images keep
-/// their pixels; a scan becomes a spherical image of 0.35 degrees a column and 64 rows from +3 to -25 degrees, the
-/// nearest point winning a pixel: the sensor model of Voxfield Panmap for KITTI. Readings out of range are not in it.
+/// A frame as a range image, into which voxels are projected (Panmap's projective integrator). Depth images keep their
+/// pixels. A scan becomes a spherical image of 0.35 degrees per column and 64 rows from +3 to -25 degrees with the
+/// nearest point in each pixel: the sensor model of Voxfield Panmap for KITTI. Readings out of range are left out.
 class RangeView {
  public:
-  /// The frame must be valid (ValidateFrame) and is not referred to afterwards.
+  /// The frame must be valid (ValidateFrame), and is not needed afterwards.
   RangeView(const PanopticFrame& frame, const IntegrationConfig& config);
 
-  /// False where nothing was measured or the image ends. Ranges are bilinear where the four pixels around agree to
-  /// within 20 cm, else those of the nearest pixel with a reading, as is the segment ("adaptive" interpolation).
+  /// False without a measurement or outside the image. Ranges are bilinear if the four surrounding pixels agree within
+  /// 20 cm, else those of the nearest pixel with a reading; so is the segment ("adaptive" interpolation).
   [[nodiscard]] bool Read(const Eigen::Vector3f& p_sensor_m, RangeReading& reading) const;
 
-  /// How much one observation of a voxel weighs: the number of rays through it, and each ray's weight.
+  /// The weight of one observation of a voxel: the number of rays through it, times the weight of a ray.
   [[nodiscard]] float Weight(const Eigen::Vector3f& p_sensor_m, float voxel_size_m) const;
 
  private:
@@ -41,8 +41,8 @@ class RangeView {
 
   IntegrationConfig config_;
   bool is_spherical_ = false;
-  PinholeCamera camera_;        // of a spherical image, only its size
-  std::vector<float> range_m_;  // 0 = nothing measured
+  PinholeCamera camera_;        // for a spherical image only its size
+  std::vector<float> range_m_;  // 0: no measurement
   std::vector<int> row_;
   std::vector<Color> color_;
 };

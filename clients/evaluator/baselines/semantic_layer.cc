@@ -7,7 +7,7 @@
 namespace dhpmap::evaluator {
 namespace {
 
-/// Where `class_id` is, or would go, in a list sorted by class.
+/// The position of `class_id` in a list sorted by class, or where to insert it.
 template <typename List>
 auto LowerBound(List& list, ClassId class_id) {
   return std::lower_bound(list.begin(), list.end(), class_id,

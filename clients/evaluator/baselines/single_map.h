@@ -11,8 +11,8 @@
 
 namespace dhpmap::evaluator {
 
-/// One TSDF for everything, with a class at each voxel and no instances: rays merged by end voxel, as in Kimera. Carves
-/// free space if the configuration says so.
+/// One TSDF for everything, with a class for each voxel and no instances: rays merged by end voxel, as in Kimera.
+/// Carves free space if the configuration enables it.
 class SingleMap final : public MappingSystem {
  public:
   SingleMap(std::string name, const SystemSetup& setup, std::unique_ptr<SemanticLayer> labels);
@@ -21,7 +21,7 @@ class SingleMap final : public MappingSystem {
   [[nodiscard]] bool has_instances() const override { return false; }
   Status Integrate(const PanopticFrame& frame) override;
   void Finish() override { map_.UpdateBoundingSphere(); }
-  /// The class of a vertex is that of the nearer of the two voxels between which it lies, if that one has a label.
+  /// A vertex has the class of the nearer of the two voxels between which it lies, if that has a label.
   [[nodiscard]] LabelledSurface Surface() const override;
   [[nodiscard]] std::optional<PointLabels> LabelsAt(std::span<const Eigen::Vector3f> points_m) const override;
   [[nodiscard]] SystemTimes times() const override { return times_; }

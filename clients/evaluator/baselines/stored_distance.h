@@ -8,7 +8,7 @@
 
 namespace dhpmap::evaluator {
 
-/// What a map on the grid of its frame has stored at a voxel; nothing where it was not observed.
+/// The distance stored at a voxel of a map on the map frame's grid; nothing if the voxel was not observed.
 inline std::optional<float> DistanceAt(const Submap& map, VoxelIndex voxel) {
   const BlockEntry* block = map.blocks().Find(BlockOf(voxel));
   const int linear = LinearIndex(voxel);

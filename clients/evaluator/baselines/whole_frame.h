@@ -8,7 +8,7 @@
 
 namespace dhpmap::evaluator {
 
-/// RESOURCE_EXHAUSTED, FRAME_TOO_LARGE: the bundler has given the frame up, and its segments hold nothing. Pure,
+/// RESOURCE_EXHAUSTED, FRAME_TOO_LARGE, if the bundler gave up the frame, so that its segments are empty. Pure,
 /// thread-safe.
 inline Status CheckIsWhole(const std::vector<SegmentBundles>& segments) {
   if (segments.empty() || !segments.front().is_cut_short) return Status::Ok();

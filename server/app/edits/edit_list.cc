@@ -28,8 +28,8 @@ class Application {
       Result<EditResult> result = RunOne(list_.edits[i]);
       if (!result.ok()) return WithPlace(result.status(), i);
       results_.push_back(std::move(result).value());
-      // Only what an edit alone has left may wait for the commit after its own: of a list the next edit may change what
-      // it depends on, and what undoes the list would be told of a tile twice.
+      // Only a single edit may leave vacated space for the next commit. In a list the next edit may depend on it, and
+      // undo of the list would record a tile twice.
       if (list_.edits.size() > 1) map_.SettleVacated();
     }
     return std::move(results_);
@@ -47,7 +47,7 @@ class Application {
   }
 
  private:
-  /// The error of one edit as that of the list.
+  /// Adds the position of the edit in the list to its error.
   static Status WithPlace(const Status& error, std::size_t i) {
     const std::string place = std::string("edits[").append(std::to_string(i)).append("]");
     Status placed(error.code(), place + ": " + error.message());
@@ -81,7 +81,7 @@ class Application {
     return results_[edit].created.front();
   }
 
-  /// The revision of an object's last edit before the list; nothing if the list has made the object.
+  /// The revision of an object's last edit before the list; nothing for objects that the list creates.
   [[nodiscard]] std::optional<std::int64_t> EditedBefore(SubmapId id) const {
     const auto found = std::lower_bound(edited_before_.begin(), edited_before_.end(), id,
                                         [](const auto& entry, SubmapId wanted) { return entry.first < wanted; });
@@ -89,13 +89,13 @@ class Application {
     return found->second;
   }
 
-  /// An object that the edit may work on.
+  /// The object of an edit, if it may be edited.
   Result<SubmapId> Editable(const EditTarget& target, const std::string& etag) const {
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Resolve(target));
     DHPMAP_ASSIGN_OR_RETURN(const Submap* submap, FindEditable(map_, id, {}));
     const std::optional<std::int64_t> edited = EditedBefore(id);
     if (!etag.empty()) {
-      SubmapInfo before = submap->info();  // as etag and revisions know it: earlier edits of the list are not out yet
+      SubmapInfo before = submap->info();  // as etags refer to it: without earlier edits of the list
       before.edited_revision = edited.value_or(before.edited_revision);
       DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, before, map_.info(), list_.lost));
     }
@@ -122,7 +122,7 @@ class Application {
     if (!is_changed) return result;
     result.changed.push_back(id);
     const Transform& T_map_now = map_.Find(id)->info().T_map_submap;
-    if (T_map_now.matrix() == T_map_before.matrix()) return result;  // it was there
+    if (T_map_now.matrix() == T_map_before.matrix()) return result;  // it is there already
     const Transform motion = T_map_now * T_map_before.inverse();
     DHPMAP_RETURN_IF_ERROR(Carry(supported, motion, result));
     return result;
@@ -159,10 +159,10 @@ class Application {
     return result;
   }
 
-  /// Moves all of them alike.
+  /// Moves all objects by the same motion.
   Status Carry(const std::vector<SubmapId>& ids, const Transform& motion, EditResult& result) {
     for (const SubmapId id : ids) {
-      if (!result.changed.empty()) map_.SettleVacated();  // only what one object has left may wait
+      if (!result.changed.empty()) map_.SettleVacated();  // only one object may leave vacated space for later
       const SubmapPatch patch{.T_map_submap = motion * map_.Find(id)->info().T_map_submap};
       DHPMAP_ASSIGN_OR_RETURN(const bool is_changed, PatchSubmap(map_, id, patch));
       if (is_changed) result.changed.push_back(id);
@@ -184,7 +184,7 @@ class Application {
     if (!edit.target) return NamesNoObject();
     if (store_ == nullptr) return InvalidArgument("nothing can be brought back here").WithReason("BAD_EDIT");
     DHPMAP_ASSIGN_OR_RETURN(const SubmapId id, Resolve(*edit.target));
-    if (removed_.contains(id)) {  // of which the log knows nothing yet, but maybe of a removal before
+    if (removed_.contains(id)) {  // the log does not know it yet, but may know an earlier removal
       return NotFound(Named(id) + " was removed by an edit of the same list").WithReason("SUBMAP_NOT_FOUND");
     }
     const EditConditions conditions{
@@ -310,7 +310,7 @@ class Application {
   const EditList& list_;
   Map& map_;
   MapStore* const store_;
-  std::vector<std::pair<SubmapId, std::int64_t>> edited_before_;  // by ascending id
+  std::vector<std::pair<SubmapId, std::int64_t>> edited_before_;  // sorted by id
   std::vector<EditResult> results_;
   std::set<SubmapId> removed_;  ///< by edits of the list
 };

@@ -28,7 +28,7 @@ class Log {
  public:
   Log(MapStore& store, const std::string& map) : store_(store), map_(map) {}
 
-  /// Calls visit(const LoggedEdit&), which returns whether to go on, for edits from the newest on.
+  /// Calls visit(const LoggedEdit&) for edits from the newest on, until it returns false.
   template <typename Visit>
   Status Walk(const std::optional<std::string>& author, Visit&& visit) {
     EditQuery query{.author = author, .max_edits = 200};
@@ -42,7 +42,7 @@ class Log {
     }
   }
 
-  /// Nothing if it is not there.
+  /// Nothing if there is no such edit.
   Result<std::optional<LoggedEdit>> Find(std::int64_t revision) {
     if (revision == std::numeric_limits<std::int64_t>::max()) return std::optional<LoggedEdit>();
     DHPMAP_ASSIGN_OR_RETURN(auto edits, store_.ListEdits(map_, {.before_revision = revision + 1, .max_edits = 1}));
@@ -71,7 +71,7 @@ Result<std::vector<std::int64_t>> FindNamed(const UndoRequest& request, Log& log
   return is_undo ? status.WithReason("NOTHING_TO_UNDO") : status.WithReason("NOTHING_TO_REDO");
 }
 
-/// The author's last edits that are not undone, the newest first.
+/// The author's last edits that are not undone, newest first.
 Result<std::vector<std::int64_t>> FindUndoable(const UndoRequest& request, Log& log) {
   std::vector<std::int64_t> found;
   DHPMAP_RETURN_IF_ERROR(log.Walk(request.author, [&](const LoggedEdit& edit) {
@@ -82,7 +82,7 @@ Result<std::vector<std::int64_t>> FindUndoable(const UndoRequest& request, Log& 
   return found;
 }
 
-/// What the author has undone since the last edit, the last undone first.
+/// The author's undone edits since the last edit, the last undone first.
 Result<std::vector<std::int64_t>> FindRedoable(const UndoRequest& request, Log& log) {
   std::vector<std::int64_t> undone;
   DHPMAP_RETURN_IF_ERROR(log.Walk(request.author, [&](const LoggedEdit& edit) {
@@ -102,7 +102,7 @@ Result<std::vector<std::int64_t>> FindRedoable(const UndoRequest& request, Log& 
   return found;
 }
 
-/// Which objects an edit changes, as its summary says it.
+/// The objects that an edit changes, in the form of a summary.
 class Touched {
  public:
   void Note(const StateDelta& delta, const Map& map) {
@@ -121,7 +121,7 @@ class Touched {
   std::map<SubmapId, bool> was_there_;
 };
 
-/// Of an object that is there after an edit.
+/// For an object that exists after the edit.
 bool HasGivenOrTakenVoxels(const SubmapDelta& submap) {
   const auto writes_surfaces = [](const TileDelta& tile) {
     return tile.differs[static_cast<std::size_t>(BlockLayer::kTsdf)] ||
@@ -130,7 +130,7 @@ bool HasGivenOrTakenVoxels(const SubmapDelta& submap) {
   return submap.after && std::any_of(submap.tiles.begin(), submap.tiles.end(), writes_surfaces);
 }
 
-/// Which objects edits have removed after a revision, and which edit last.
+/// The objects removed by edits after a revision, with the last such edit.
 using Removals = std::map<SubmapId, std::int64_t>;
 Result<Removals> RemovedSince(std::int64_t revision, Log& log) {
   Removals removals;
@@ -143,8 +143,7 @@ Result<Removals> RemovedSince(std::int64_t revision, Log& log) {
   return removals;
 }
 
-/// Of an edit that is to be undone or done again: neither it nor a later one of what it has changed is after
-/// `expected`.
+/// For an edit to be undone or redone: checks that neither it nor a later edit of the same objects is after `expected`.
 Status CheckNoneSince(std::int64_t expected, std::int64_t target, const StateDelta& delta, const Removals& removals,
                       const Map& map) {
   if (expected > 0 && target > expected) {
@@ -190,7 +189,7 @@ ListDelta<ObjectPair> PairsThatComeBack(SubmapId id, std::span<const ObjectPair>
     }
     pairs.push_back(pair);
   }
-  // Of several of the same two the first counts.
+  // If a pair occurs several times, the first entry counts.
   std::stable_partition(pairs.begin(), pairs.end(),
                         [](const ObjectPair& pair) { return pair.verdict != PairVerdict::kOpen; });
   return {.before = std::move(pairs), .after = {}};
@@ -215,7 +214,7 @@ Result<EditSummary> UndoEdits(const UndoRequest& request, MapStore& store, Map& 
     const Status applied = ApplyDelta(delta, is_undo ? DeltaSide::kBefore : DeltaSide::kAfter, map);
     if (!applied.ok()) return Status(applied).WithMetadata("edit", std::to_string(target));
   }
-  (void)map.mutable_info();  // a revision, whatever it changed
+  (void)map.mutable_info();  // always makes a revision
   touched.Tell(map, summary);
   return summary;
 }
@@ -234,7 +233,7 @@ Result<EditSummary> UndeleteSubmap(SubmapId id, MapStore& store, Map& map, const
     const bool is_it = summary.kind == EditKind::kEdit && !edit.is_undone &&
                        std::binary_search(summary.removed.begin(), summary.removed.end(), id);
     if (is_it) removal = edit.entry.revision;
-    // What is not kept cannot be undone; nor what is older, unless that edit was too large to be kept.
+    // Edits without undo data cannot be undone, nor older ones, except if that edit was only too large.
     num_not_kept = edit.is_kept || summary.kind != EditKind::kEdit ? 0 : num_not_kept + 1;
     return !is_it && num_not_kept < kMostNotKept;
   }));
@@ -255,7 +254,7 @@ Result<EditSummary> UndeleteSubmap(SubmapId id, MapStore& store, Map& map, const
   delta.merged = {};
   delta.kept_clear = {};
   delta.display_name = {};
-  if (!is_alone) delta.vacated = {};  // others have left some of it
+  if (!is_alone) delta.vacated = {};  // others have left parts of it
   DHPMAP_RETURN_IF_ERROR(ApplyDelta(delta, DeltaSide::kBefore, map));
   if (!is_alone) TakeVacatedBack(*map.Find(id), map);
   return EditSummary{.steps = {{EditAction::kUndelete, id}}, .created = {id}};

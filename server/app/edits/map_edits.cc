@@ -12,7 +12,7 @@ namespace {
 bool RenamesMap(const EditSummary& summary) {
   return std::any_of(summary.steps.begin(), summary.steps.end(), [](const EditStep& step) {
     const bool is_whole_map_restored = step.action == EditAction::kRestore && step.submap == kUnknownSubmap;
-    return step.action == EditAction::kRenameMap || is_whole_map_restored;  // which may bring an older name back
+    return step.action == EditAction::kRenameMap || is_whole_map_restored;  // which may restore an older name
   });
 }
 
@@ -21,7 +21,7 @@ bool RenamesMap(const EditSummary& summary) {
 Status CheckMapNotEditedSince(std::int64_t revision, MapStore& store, const std::string& map) {
   if (revision <= 0) return Status::Ok();
   const auto edited_in = [&](std::int64_t edit) { return CheckNotEditedSince(revision, edit, "map '" + map + "'"); };
-  std::map<std::int64_t, std::int64_t> older;  // edits up to the revision, and what has undone or redone each last
+  std::map<std::int64_t, std::int64_t> older;  // edits up to the revision, with their last undo or redo
   EditQuery query{.max_edits = 200};
   for (bool goes_on = true; goes_on;) {
     DHPMAP_ASSIGN_OR_RETURN(const auto edits, store.ListEdits(map, query));

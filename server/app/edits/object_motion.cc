@@ -19,7 +19,7 @@ Status NoSurface(SubmapId id) {
       .WithViolation("submap", "has no surface");
 }
 
-/// Things whose blocks are at those of an object, and the object.
+/// The things whose blocks are at blocks of an object, including the object.
 std::vector<SubmapId> ThingsAround(const Submap& object, const MapSnapshot& map) {
   const BoundingSphere of_object = object.BoundingSphereInMap();
   std::vector<SubmapId> around;

@@ -28,7 +28,7 @@ Status CheckNotEdited(const Submap& submap, std::int64_t expected) {
   return EditedAfter("submap " + std::to_string(submap.id().value), edited, expected);
 }
 
-/// Of an object that is gone: what has removed it is known to the log alone.
+/// For a removed object: only the log knows what removed it.
 Status CheckNotRemovedSince(SubmapId id, std::int64_t expected, MapStore& store, const std::string& map) {
   EditQuery query{.max_edits = 200};
   for (;;) {
@@ -44,7 +44,7 @@ Status CheckNotRemovedSince(SubmapId id, std::int64_t expected, MapStore& store,
   }
 }
 
-/// That nothing which is to be restored was edited since.
+/// Checks that nothing to be restored was edited since.
 Status CheckExpected(const RestoreRequest& request, MapStore& store, const Map& map) {
   const std::int64_t expected = request.expected_revision;
   if (expected == 0) return Status::Ok();
@@ -59,7 +59,7 @@ Status CheckExpected(const RestoreRequest& request, MapStore& store, const Map& 
     if (submap == nullptr) return CheckNotRemovedSince(*request.submap, expected, store, map.info().name);
     return CheckNotEdited(*submap, expected);
   }
-  // Objects that are gone, names and regions are known to the log alone, and merges of mapping to their objects.
+  // Removed objects, names and regions are only in the log; merges by mapping are only in their objects.
   DHPMAP_ASSIGN_OR_RETURN(const auto last, store.ListEdits(map.info().name, {.max_edits = 1}));
   if (!last.empty() && last.front().entry.revision > expected) {
     return EditedAfter("the map", last.front().entry.revision, expected);
@@ -68,7 +68,7 @@ Status CheckExpected(const RestoreRequest& request, MapStore& store, const Map& 
   return Status::Ok();
 }
 
-/// The object as it is now, null if it is gone; or why it cannot be taken back.
+/// The current object, null if it was removed; or the reason why it cannot be restored.
 Result<const Submap*> Restorable(const RestoreRequest& request, const MapSnapshot& past, const Map& map) {
   const SubmapId id = *request.submap;
   const Submap* now = map.Find(id);
@@ -80,7 +80,7 @@ Result<const Submap*> Restorable(const RestoreRequest& request, const MapSnapsho
       .WithReason("SUBMAP_NOT_FOUND");
 }
 
-/// There is one background of each class, but for those that somebody placed.
+/// There is one background of each class, apart from those placed by an edit.
 Status CheckClassIsFree(const SubmapInfo& past, const Map& map) {
   if (past.panoptic != Panoptic::kStuff || past.is_placed) return Status::Ok();
   for (const auto& other : map.submaps()) {
@@ -96,7 +96,7 @@ Status CheckClassIsFree(const SubmapInfo& past, const Map& map) {
   return Status::Ok();
 }
 
-/// Row and voxels, as they were.
+/// Restores the row and the voxels.
 void PutAsItWas(const SubmapDelta& delta, Map& map) {
   Submap& submap = map.Find(delta.id) != nullptr ? *map.FindMutable(delta.id) : map.PutBack(delta.after->info);
   submap.mutable_info() = delta.after->info;
@@ -105,11 +105,11 @@ void PutAsItWas(const SubmapDelta& delta, Map& map) {
   submap.set_bounding_sphere(delta.after->sphere);
 }
 
-/// `past_pairs`: what was known of it and others, which nobody has kept of an object that is gone.
+/// `past_pairs`: verdicts on it and others, which are not kept for a removed object.
 Status RestoreObject(SubmapDelta delta, std::span<const ObjectPair> past_pairs, Map& map) {
   SubmapInfo& past = delta.after->info;
   const Submap* now = map.Find(delta.id);
-  // Its front ends may call others so by now.
+  // Sessions may have assigned its track ids to others since.
   past.track_id = now != nullptr ? now->info().track_id : 0;
   past.sightings = now != nullptr ? now->info().sightings : Sightings();
   const bool is_moved = now != nullptr && now->info().T_map_submap.matrix() != past.T_map_submap.matrix();
@@ -139,7 +139,7 @@ void RestoreAll(const StateDelta& delta, const MapSnapshot& past, Map& map) {
   if (is_same) return;
   MapInfo& info = map.mutable_info();
   info.merged = past.info().merged;
-  info.pairs = past.info().pairs;  // after the removals, which forget those of what goes
+  info.pairs = past.info().pairs;  // after the removals, which drop the pairs of removed objects
   info.kept_clear = past.info().kept_clear;
   info.display_name = past.info().display_name;
 }

@@ -38,7 +38,7 @@ Result<Transform> Changed(const Transform& T, const PoseChange& change) {
   return TransformFromQuaternion(translation_m, xyzw, "map_from_submap");
 }
 
-/// The pose that the patch gives, if it gives one.
+/// The pose in the patch, if there is one.
 std::optional<Transform> PoseOf(const SubmapPatch& patch, const Submap& submap, Status& bad) {
   if (patch.T_map_submap || !patch.pose_change) return patch.T_map_submap;
   const auto T = Changed(submap.info().T_map_submap, *patch.pose_change);
@@ -48,14 +48,14 @@ std::optional<Transform> PoseOf(const SubmapPatch& patch, const Submap& submap, 
   return T.ok() ? std::optional(*T) : std::nullopt;
 }
 
-/// It is where somebody puts it, whatever was seen of where it was.
+/// Places the submap by an edit: earlier evidence of its absence no longer counts.
 void Place(Submap& submap) {
   submap.DropGone();
   submap.mutable_info().presence = Presence::kPresent;
   submap.mutable_info().is_placed = true;
 }
 
-/// The patch with its pose worked out, if the map allows it.
+/// The patch with its final pose, if the map permits it.
 Result<SubmapPatch> Checked(const Map& map, const Submap& submap, SubmapPatch patch) {
   Status bad = InvalidArgument("the submap cannot be changed like this").WithReason("BAD_EDIT");
   patch.T_map_submap = PoseOf(patch, submap, bad);
@@ -68,8 +68,8 @@ Result<SubmapPatch> Checked(const Map& map, const Submap& submap, SubmapPatch pa
   return patch;
 }
 
-/// Somebody has put it there. What is answered as a pose is a quaternion, which gives back the matrix but for rounding:
-/// whoever sends it back changes nothing.
+/// Whether the submap was placed there by an edit. Answers contain poses as quaternions, which differ from the matrix
+/// by rounding: a client that sends one back changes nothing.
 bool IsPlacedAt(const Transform& T_map_submap, const Submap& submap) {
   const SubmapInfo& info = submap.info();
   if (!info.is_placed || submap.IsAbsent() || HasGone(submap)) return false;
@@ -78,7 +78,7 @@ bool IsPlacedAt(const Transform& T_map_submap, const Submap& submap) {
   return answered.ok() && T_map_submap.matrix() == answered->matrix();
 }
 
-/// What of the patch the submap has not yet.
+/// The part of the patch that differs from the submap.
 SubmapPatch Differing(SubmapPatch patch, const Submap& submap) {
   const SubmapInfo& info = submap.info();
   if (patch.T_map_submap && IsPlacedAt(*patch.T_map_submap, submap)) patch.T_map_submap.reset();
@@ -130,7 +130,7 @@ Result<bool> PatchSubmap(Map& map, SubmapId id, const SubmapPatch& patch) {
       differing.T_map_submap || differing.class_id || differing.display_name || differing.is_locked;
   if (!changes_anything) return false;
   const bool leaves = differing.T_map_submap && IsExclusive(submap->info(), map.info().config);
-  // What has gone of it is forgotten with the move, and counts: it is not left by it.
+  // The move drops parts of it that are gone; these are not vacated by the move.
   const bool is_noted_later = leaves && !HasGone(*submap);
   if (leaves && !is_noted_later) NoteVacated(*submap, map);
   Apply(differing, map.info(), *map.FindMutable(id));
@@ -151,7 +151,7 @@ Result<SubmapId> CloneSubmap(Map& map, SubmapId id, const std::string& etag, con
   Submap* copy = map.Clone(id);
   Apply(checked, map.info(), *copy);
   Place(*copy);
-  copy->mutable_info().is_confirmed = true;  // somebody asked for it: not to be dissolved as something seen wrongly
+  copy->mutable_info().is_confirmed = true;  // by request of a user: must not be dissolved as a false detection
   return copy->id();
 }
 

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// Why frames of a feed in this state are refused.
+/// The error for frames of a feed in this state.
 Status RefusalOf(FeedState state) {
   switch (state) {
     case FeedState::kFeeding: return Status::Ok();

@@ -50,7 +50,7 @@ Result<std::vector<FeedSeats::Eviction>> FeedSeats::EvictionsFor(const FeedReque
     const bool is_same_client = is_named && request.session == feed->session();
     if (request.take_over || is_same_client) {
       evictions.push_back({feed, FeedState::kTakenOver});
-    } else if (is_named && !feed->session().empty()) {  // side by side
+    } else if (is_named && !feed->session().empty()) {  // named sessions feed concurrently
       if (IsIdle(*feed) && (idlest == nullptr || feed->last_active() < idlest->last_active())) idlest = feed;
     } else if (IsIdle(*feed)) {
       evictions.push_back({feed, FeedState::kIdledOut});
@@ -126,7 +126,7 @@ std::map<std::string, std::shared_ptr<FeedTally>> FeedSeats::Tallies() const {
 
 std::shared_ptr<FeedTally> FeedSeats::FindOrAddTally(const std::string& session) {
   if (const auto found = tallies_.find(session); found != tallies_.end()) return found->second;
-  if (tallies_.size() >= std::max(kMostTallies, max_feeds_)) {  // those of feeds are heard of, so they stay
+  if (tallies_.size() >= std::max(kMostTallies, max_feeds_)) {  // keep those of feeds, which are still updated
     tallies_.erase(std::min_element(tallies_.begin(), tallies_.end(), [](const auto& a, const auto& b) {
       return a.second->last_seen_ns() < b.second->last_seen_ns();
     }));

@@ -28,7 +28,7 @@ void FeedTally::OnFused(std::int64_t sequence, std::int64_t num_points, std::int
   try {
     fused_ns_.push_back(now_ns);
   } catch (const std::bad_alloc&) {
-    return;  // of the rate alone
+    return;  // only the rate is affected
   }
   while (fused_ns_.size() > kMaxRemembered || fused_ns_.front() <= now_ns - kRate_ns) fused_ns_.pop_front();
 }
@@ -54,7 +54,7 @@ FeedCounts FeedTally::Counts(std::int64_t now_ns) const {
   const auto first = std::upper_bound(fused_ns_.begin(), fused_ns_.end(), now_ns - kRate_ns);
   const bool is_full = fused_ns_.size() == kMaxRemembered && first == fused_ns_.begin();
   const std::int64_t from_ns = is_full ? fused_ns_.front() : std::max(first_seen_ns_, now_ns - kRate_ns);
-  const std::int64_t time_ns = std::max<std::int64_t>(now_ns - from_ns, 1'000'000'000);  // of less nothing can be said
+  const std::int64_t time_ns = std::max<std::int64_t>(now_ns - from_ns, 1'000'000'000);  // a shorter time gives no rate
   counts.frames_per_s = static_cast<double>(fused_ns_.end() - first) * 1e9 / static_cast<double>(time_ns);
   return counts;
 }

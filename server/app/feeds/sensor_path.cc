@@ -12,7 +12,7 @@ void SensorPath::Add(const Transform& T_map_sensor) noexcept {
   places_m_[num_places_++] = place_m;
 }
 
-/// Leaves every second place, the first among them.
+/// Keeps every second place, including the first.
 void SensorPath::Thin() noexcept {
   std::size_t num_left = 0;
   for (std::size_t i = 0; i < num_places_; i += 2) places_m_[num_left++] = places_m_[i];

@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-/// While a frame is under way the whole of it is left.
+/// Remaining lease time; the full lease while a frame is being processed.
 double LeaseLeft(const Feed& feed, const FeedSeats& seats) {
   using Seconds = std::chrono::duration<double>;
   const auto now = seats.Now(), end = feed.last_active() + seats.idle_limit();

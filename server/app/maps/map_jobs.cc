@@ -40,7 +40,8 @@ std::function<Result<EditMade>(Map&)> MapRegistry::PatchOf(MapPatch patch, EditC
   };
 }
 
-/// The state is looked for on the writer: a request that is repeated is answered though it is kept no longer.
+/// The past state is looked up on the writer's thread, so a repeated request is answered even if the state is no longer
+/// kept.
 Result<std::function<Result<EditMade>(Map&)>> MapRegistry::RestorationOf(const std::string& name,
                                                                          RestoreRequest request) {
   DHPMAP_ASSIGN_OR_RETURN(const auto open_map, GetOpen(name));

@@ -24,9 +24,9 @@ std::int64_t Now(const OpenMapOptions& options) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
-/// One pool, one set of slots, and one budget of past states, for all maps.
+/// All maps share one thread pool, one set of slots, and one budget of past states.
 OpenMapOptions WithShared(OpenMapOptions options) {
-  // Nicer than who answers what is quick, and less so than who makes bulk answers.
+  // Nicer than threads of quick calls, less nice than those of bulk calls.
   constexpr int kFusionNiceness = 5;
   MappingOptions& mapping = options.mapping;
   if (mapping.pool == nullptr) mapping.pool = std::make_shared<ThreadPool>(mapping.num_threads, kFusionNiceness);
@@ -119,7 +119,7 @@ Result<MapSummary> MapRegistry::ShowStored(HeldName& held) {
   const std::string name = held.name_;
   MapSummary map;
   map.info.name = name;
-  (void)Show(held, map);  // before all that may fail: it is there
+  (void)Show(held, map);  // before anything that may fail, because the map exists
   const auto entry = FindEntry(name);
   Result<StoredMap> stored = store_.GetMap(name);
   if (stored.ok()) map = {.info = std::move(stored->info), .num_submaps = stored->num_submaps, .damage = {}};
@@ -179,7 +179,7 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::str
     entries_.erase(name);
   }
   changes_.Notify(name);
-  if (open_map) (void)open_map->Stop();  // here, where none of its own threads can be the one that must join them
+  if (open_map) (void)open_map->Stop();  // here, because none of the map's own threads may have to join itself
   open_map.reset();
   surfaces_.Forget(name);
   return revision;

@@ -16,13 +16,13 @@ Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, c
     return NoSuchMapAmongThese(name);
   }
   if (!repair) return store_.VerifyMap(name, !kRepair, stop);
-  // That a map is open says nothing of voxels that nobody has read yet.
+  // An open map may still have damaged voxels that were never read.
   if (map_options_.pages.budget_bytes > 0 && IsOpen(*entry)) {
     auto looked_at = store_.VerifyMap(name, !kRepair, stop);
     if (!looked_at.ok() || looked_at->num_faults == 0) return looked_at;
     CloseIfAtRest(*entry, Clock::time_point::max(), Closing::kEvenViewed);
   }
-  const MutexLock busy(entry->busy);  // nobody opens it meanwhile
+  const MutexLock busy(entry->busy);  // the map cannot be opened meanwhile
   bool is_open = false;
   {
     const MutexLock lock(mutex_);

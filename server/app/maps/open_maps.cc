@@ -123,7 +123,7 @@ void MapRegistry::CloserLoop() {
   MutexLock lock(mutex_);
   while (!shut_down_.WaitFor(mutex_, period, [this]() DHPMAP_REQUIRES(mutex_) { return is_shut_down_; })) {
     lock.Unlock();
-    TellSafely([this] { CloseIdleMaps(Clock::now()); });  // what lacks memory is closed next time
+    TellSafely([this] { CloseIdleMaps(Clock::now()); });  // if memory has run out, maps are closed next time
     TellSafely([this] { KeepPagesInBounds(); });
     lock.Lock();
   }
@@ -151,19 +151,19 @@ void MapRegistry::CloseIfIdle(Entry& entry, Clock::time_point now) {
 }
 
 void MapRegistry::CloseIfAtRest(Entry& entry, Clock::time_point used_until, Closing closing) {
-  const MutexLock busy(entry.busy);  // whoever wants the map meanwhile waits, and loads it again
+  const MutexLock busy(entry.busy);  // callers that need the map wait, and load it again
   std::shared_ptr<OpenMap> open_map;
   {
     const MutexLock lock(mutex_);
-    const bool is_held = entry.open_map.use_count() != 1;  // whoever comes next asks us, under this lock
+    const bool is_held = entry.open_map.use_count() != 1;  // new users must come through this registry, under this lock
     if (is_shut_down_ || !entry.open_map || is_held || entry.last_used > used_until) return;
     if (!entry.open_map->IsAtRest()) return;
-    // What was not read yet of a state that is held goes with the next change unless that is made in this open map.
+    // Unread parts of a viewed state disappear with the next change, unless that is made in this open map.
     if (closing == Closing::kIfNotViewed && map_options_.pages.budget_bytes > 0 && entry.open_map->IsViewed()) return;
     entry.stored = Summarise(entry);
     open_map = std::exchange(entry.open_map, nullptr);
   }
-  (void)open_map->Stop();  // nothing is left to be stored
+  (void)open_map->Stop();  // nothing is left to store
   const std::string name = open_map->View()->snapshot().info().name;
   open_map.reset();
   surfaces_.Forget(name);

@@ -7,7 +7,7 @@
 namespace dhpmap {
 namespace {
 
-/// Why an export ends with a file that cannot be opened or read.
+/// The final stage of an export whose file cannot be opened or read.
 ExportStage StageOf(const Status& status) {
   return status.code() == StatusCode::kCancelled ? ExportStage::kLeft : ExportStage::kFailed;
 }
@@ -18,7 +18,7 @@ double SecondsSince(RunningExports::Clock::time_point begin) {
 
 }  // namespace
 
-/// Tells what is read of another.
+/// Reports progress of reading another file.
 class RunningExports::File final : public StoreBackup {
  public:
   File(std::shared_ptr<RunningExports> exports, std::int64_t id, std::unique_ptr<StoreBackup> file)
@@ -49,7 +49,7 @@ RunningExports::Opened RunningExports::Open(ExportKind kind, const std::string& 
       BeginSending(id, (*file)->size_bytes());
       return std::unique_ptr<StoreBackup>(std::make_unique<File>(shared_from_this(), id, std::move(file).value()));
     }
-    // Nobody follows a map that is not there, and whoever asks for one pushes no other's end out.
+    // Exports of missing maps are not recorded, so they do not displace results of others.
     End(id, StageOf(file.status()), file.status().code() != StatusCode::kNotFound);
     return file;
   } catch (...) {

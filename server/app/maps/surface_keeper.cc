@@ -19,7 +19,7 @@ bool SurfaceKeeper::Note(std::shared_ptr<const MapSnapshot> state, std::function
     if (!thread_.Start([this] { Loop(); }).ok()) return false;
     std::swap(newest_[noted.state->info().name], noted);
   } catch (const std::bad_alloc&) {
-    return false;  // who asks makes it, or is told
+    return false;  // the query makes the surfaces, or gets the error
   }
   wake_.NotifyOne();
   return true;
@@ -37,15 +37,15 @@ void SurfaceKeeper::Stop() {
 }
 
 void SurfaceKeeper::Loop() {
-  constexpr int kNiceness = 5;  // as those that fuse: until it has made them, nobody sees a state
+  constexpr int kNiceness = 5;  // as for fusion: states are not visible before
   NameThisThread("surfaces");
   MakeThisThreadNicer(kNiceness);
-  (void)TakeTurns(Turns::kOrdinary);  // a quick thread may have begun it
+  (void)TakeTurns(Turns::kOrdinary);  // a thread with quick turns may have started this one
   MutexLock lock(mutex_);
   const auto has_work = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !newest_.empty(); };
   std::string last;
   while (wake_.WaitFor(mutex_, LazyThread::kIdle, has_work) && !stopping_) {
-    auto next = newest_.upper_bound(last);  // in turn: there may be more to do than time
+    auto next = newest_.upper_bound(last);  // in turn, because there may be more work than time
     if (next == newest_.end()) next = newest_.begin();
     Noted noted = std::move(next->second);
     last = next->first;
@@ -54,7 +54,7 @@ void SurfaceKeeper::Loop() {
     try {
       cache_.Freshen(noted.state, stop_.get_token());
     } catch (const std::exception&) {
-      // As above.
+      // Queries make these surfaces.
     }
     if (noted.ready) TellSafely(noted.ready);
     noted = {};

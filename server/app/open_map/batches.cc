@@ -14,7 +14,7 @@ void Batches::NoteChange() {
 }
 
 std::optional<DueTime> Batches::Due() const {
-  // In this order: a state may become visible at any moment, and only this thread makes one wait. If the publisher has
+  // In this order: a state may become visible at any time, and only this thread lets a state wait. If the publisher has
   // nothing due, nothing waits below either, so a held batch is due.
   const std::optional<DueTime> publish_due = publisher_.Due();
   const std::optional<DueTime> commit_due = committer_.BatchDue(!publisher_.shown().IsWaiting());
@@ -43,7 +43,7 @@ void Batches::DoThoseDue() {
   committer_.PutOffBatch(later);
 }
 
-/// Makes the newest published state visible, then stores it: watchers hear of visible states only.
+/// Makes the newest published state visible, then stores it: watchers must only hear of visible states.
 void Batches::StoreHeldBatch() {
   publisher_.shown().ShowNewest();
   committer_.StoreBatch(map_.published());
@@ -54,7 +54,7 @@ void Batches::StoreAll(CommitWorker::Done done) {
   committer_.Request(map_.published(), Durability::kFull, std::move(done));
 }
 
-/// What fails for want of memory is tried once more: jobs have given some back.
+/// A failure for lack of memory is retried once: the jobs have freed some.
 Status Batches::StoreTheRest() {
   const auto store = [this] {
     StoreAll();

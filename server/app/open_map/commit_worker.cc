@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What is known of where tiles are stored, for a state that has the same ones as other objects: see EvictPages.
+/// Copies the storage locations of tiles to a state with equal tiles in other objects: see EvictPages.
 void AdoptStored(const MapSnapshot& stored, const std::shared_ptr<const MapSnapshot>& other) {
   if (other == nullptr || other.get() == &stored) return;
   for (const auto& submap : stored.submaps()) {
@@ -33,7 +33,7 @@ void AdoptStored(const MapSnapshot& stored, const std::shared_ptr<const MapSnaps
   }
 }
 
-/// What an edit's commit, and a state that was loaded as that left it, has not stored yet: see MapStore::CommitEdit.
+/// What the commit of an edit, and a state loaded after it, has not stored yet: see MapStore::CommitEdit.
 constexpr bool kLacksLeft = true;
 
 Status MapIsDeleted(const StateMarks& committed) {
@@ -75,7 +75,7 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
     } else if (stopping_) {
       refused = ShuttingDown();
     } else if (refused = thread_.Start([this] { Loop(); }); refused.ok()) {
-      waiters_.push_back(std::move(waiter));  // first: without a waiter an unseen state must not stay
+      waiters_.push_back(std::move(waiter));  // first: an unseen state must not remain without a waiter
       newest_ = std::move(snapshot);
       wake_.NotifyOne();
       return;
@@ -86,7 +86,7 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
 
 void CommitWorker::EvictPages(const std::shared_ptr<const MapSnapshot>& same) {
   if (const auto stored = StoredState(); stored != nullptr) AdoptStored(*stored, same);
-  std::shared_ptr<const MapSnapshot> before;  // freed after the mutex: that may take long
+  std::shared_ptr<const MapSnapshot> before;  // freed after the mutex is released, because it may take long
   const MutexLock lock(mutex_);
   left_ = same;
   if (newest_ != nullptr && newest_->revision() == same->revision()) before = std::exchange(newest_, same);
@@ -153,7 +153,7 @@ void CommitWorker::Stop() {
 
 void CommitWorker::Loop() {
   NameThisThread("map-commit");
-  (void)TakeTurns(Turns::kOrdinary);  // a quick thread may have begun it
+  (void)TakeTurns(Turns::kOrdinary);  // a thread with quick turns may have started this one
   const auto retry = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(retry_s_));
   const MutexLock lock(mutex_);
   while (true) {
@@ -161,7 +161,7 @@ void CommitWorker::Loop() {
     if (last_outcome_.ok() || deleted_) {
       if (!wake_.WaitFor(mutex_, LazyThread::kIdle, is_ready)) return thread_.Retire();
     } else if (!wake_.WaitFor(mutex_, retry, is_ready)) {
-      CommitNewest();  // behind, and nobody asks: try again
+      CommitNewest();  // behind, with no request pending: try again
       continue;
     }
     const bool last_round = stopping_;
@@ -171,11 +171,11 @@ void CommitWorker::Loop() {
   }
 }
 
-/// Marks of what the store holds then. If it fails or throws, that is what it was.
+/// Returns the marks of the stored state. On a failure or exception the stored state is unchanged.
 Result<CommitWorker::Marks> CommitWorker::Store(const Marks& before, const MapSnapshot* after, Durability durability,
                                                 const EditRecord* edit) {
   if (after == nullptr) return before;
-  // First: what is stored can fail no more.
+  // Before storing, because nothing may fail afterwards.
   auto marks = std::make_shared<const StateMarks>(*after, before.get(), edit != nullptr && kLacksLeft);
   try {
     DHPMAP_RETURN_IF_ERROR(edit != nullptr ? store_.CommitEdit(*before, *after, *edit)
@@ -186,7 +186,7 @@ Result<CommitWorker::Marks> CommitWorker::Store(const Marks& before, const MapSn
   return Marks(std::move(marks));
 }
 
-/// Of a commit that has thrown, maybe after all was written: to begin the next one at `before` would fail for ever.
+/// For a commit that threw, possibly after it was written: starting the next one at `before` would always fail.
 bool CommitWorker::IsStored(const StateMarks& before, const MapSnapshot& after) {
   if (before.revision() == after.revision()) return false;
   const auto stored = Guarded<Result<StoredMap>>([&] { return store_.GetMap(after.info().name); });
@@ -196,19 +196,19 @@ bool CommitWorker::IsStored(const StateMarks& before, const MapSnapshot& after) 
 Status CommitWorker::Delete(const std::string& name) {
   try {
     return store_.DeleteMap(name);
-  } catch (...) {  // maybe after it was done
+  } catch (...) {  // possibly after deleting it
     const auto stored = Guarded<Result<StoredMap>>([&] { return store_.GetMap(name); });
     if (stored.status().code() != StatusCode::kNotFound) throw;
   }
   return Status::Ok();
 }
 
-// In both, nothing but what is guarded may throw: the mutex would be left as it is, and those who wait without answer.
+// In both functions only guarded calls may throw: else the mutex would stay locked, and waiters without an answer.
 
 void CommitWorker::CommitNewest() {
   auto before = committed_;
   const bool is_missing = newest_ != nullptr;
-  auto after = is_missing ? newest_ : committed_state_.lock();  // nothing is missing: is the store well again?
+  auto after = is_missing ? newest_ : committed_state_.lock();  // nothing is missing: does the store work
   const auto is_unseen = [](const Waiter& waiter) { return waiter.is_unseen; };
   std::vector<Waiter> served = std::exchange(waiters_, {});
   const bool full = stopping_ || std::any_of(served.begin(), served.end(), [](const Waiter& waiter) {
@@ -233,7 +233,7 @@ void CommitWorker::CommitNewest() {
     mutex_.Lock();
     if (marks.ok()) {
       committed_ = *marks;
-      // Which may be another object by now: see EvictPages.
+      // It may be another object by now: see EvictPages.
       const bool is_newest = newest_ != nullptr && after != nullptr && newest_->revision() == after->revision();
       if (is_newest) committed_state_ = std::exchange(newest_, nullptr);
       else if (is_missing) committed_state_ = after;
@@ -246,7 +246,7 @@ void CommitWorker::CommitNewest() {
   for (const Waiter& waiter : served) {
     if (waiter.done) TellSafely([&] { waiter.done(marks.status()); });
   }
-  served.clear();  // to free these may take long: not under the lock
+  served.clear();  // freeing these may take long: not under the lock
   before.reset();
   after.reset();
   mutex_.Lock();

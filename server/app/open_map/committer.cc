@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// Hears of every commit; of those that went well, others do, too.
+/// Calls on_commit after every commit, and on_stored after successful ones.
 CommitWorker::Observer ObserverOf(const CommitOptions& options) {
   return [on_commit = options.on_commit, on_stored = options.on_stored](double seconds, const Status& status) {
     if (on_commit) TellSafely([&] { on_commit(seconds, status); });
@@ -68,7 +68,7 @@ Status Committer::StoreFirst(const State& published) {
   return outcome.get_future().get();
 }
 
-/// More frames would only be more that a crash can take.
+/// More frames would only increase the loss in a crash.
 Status Committer::CheckIsNotBehind() const {
   const double behind_s = BehindSeconds();
   if (behind_s <= options_.max_behind_s) return Status::Ok();

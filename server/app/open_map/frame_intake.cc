@@ -32,7 +32,7 @@ std::vector<SessionStatus> FrameIntake::Sessions() const {
       writer_.now_ns());
 }
 
-/// A frame on its way through the queue.
+/// A frame in the queue.
 struct FrameIntake::Arrival {
   std::shared_ptr<Feed> feed;
   ArrivedFrame frame;
@@ -66,7 +66,7 @@ void FrameIntake::Integrate(const std::shared_ptr<Feed>& feed, ArrivedFrame arri
                             },
                         .refuse = [answer, refusal](const Status& status) { answer(refusal(CopyOf(status))); }});
   } catch (...) {
-    answer(refusal(StatusOfException()));  // the feeder counts its frames by the answers
+    answer(refusal(StatusOfException()));  // the client counts frames by their answers
   }
 }
 
@@ -75,7 +75,7 @@ void FrameIntake::Greet(const std::shared_ptr<Feed>& feed, std::function<void(Fe
   try {
     writer_.queue.Post({.run = answer, .refuse = [answer](const Status&) { answer(); }});
   } catch (...) {
-    answer();  // out of turn, but true
+    answer();  // out of order, but correct
   }
 }
 
@@ -99,7 +99,7 @@ FrameOutcome FrameIntake::IntegrateNow(Arrival& arrival) {
   return outcome;
 }
 
-/// If it fails or throws, the map is as it was.
+/// On a failure or exception the map is unchanged.
 Result<FrameReport> FrameIntake::TakeInTurn(Arrival& arrival, bool& is_duplicate) {
   const std::shared_ptr<Feed>& feed = arrival.feed;
   if (writer_.give_up.stop_requested()) return ShuttingDown();
@@ -112,11 +112,11 @@ Result<FrameReport> FrameIntake::TakeInTurn(Arrival& arrival, bool& is_duplicate
   return TakeFrame(arrival);
 }
 
-/// Fuses the frame, and has it recorded.
+/// Fuses the frame and records it.
 Result<FrameReport> FrameIntake::TakeFrame(Arrival& arrival) {
   ArrivedFrame& arrived = arrival.frame;
   MapRecording& recording = writer_.recording;
-  // A record begins with a frame that can be read, or maps that nobody can map would leave files.
+  // A recording begins with a valid frame, else invalid streams would create files.
   if (arrived.frame.ok()) recording.Begin(writer_.map().info());
   const bool is_recorded = !arrived.message.empty() && recording.is_recorded();
   const std::string session = arrival.feed ? arrival.feed->session() : "";
@@ -128,7 +128,7 @@ Result<FrameReport> FrameIntake::TakeFrame(Arrival& arrival) {
   }
   auto report = Guarded<Result<FrameReport>>([&]() -> Result<FrameReport> {
     if (!arrived.frame.ok()) return arrived.frame.status();
-    // Streams without a session are others each time, and so are their clocks.
+    // Each stream without a session has its own clock.
     if (arrival.feed && session.empty() && arrival.feed->BeginsNow()) writer_.builder.ForgetStamp(session);
     return Fuse(arrival.feed.get(), arrived.sequence, *arrived.frame);
   });
@@ -139,7 +139,7 @@ Result<FrameReport> FrameIntake::TakeFrame(Arrival& arrival) {
   return report;
 }
 
-/// If it fails or throws, the map is as it was.
+/// On a failure or exception the map is unchanged.
 Result<FrameReport> FrameIntake::Fuse(Feed* feed, std::int64_t sequence, const PanopticFrame& frame) {
   const std::int64_t now_ns = writer_.now_ns();
   const bool has_session = feed != nullptr && !feed->session().empty();
@@ -152,7 +152,7 @@ Result<FrameReport> FrameIntake::Fuse(Feed* feed, std::int64_t sequence, const P
       writer_.builder.Integrate(frame, writer_.give_up, feed ? feed->implausible() : ImplausibleFrames::kFuse);
   if (report.status().code() == StatusCode::kCancelled) return ShuttingDown();
   if (!report.ok()) return report;
-  // It is in the map: nothing may throw from here on.
+  // The frame is in the map: nothing may throw from here on.
   if (has_session) writer_.map().mutable_info().sessions = std::move(sessions);
   OnFused(feed, sequence, now_ns, frame, *report);
   return report;

@@ -9,13 +9,13 @@
 namespace dhpmap {
 namespace {
 
-/// What an edit is answered that did not happen because it could not be stored.
+/// The error for an edit that was not made because it could not be stored.
 Status NotMade(const Status& cause) {
   return Status(cause.code(), "nothing was changed, because it cannot be stored: " + cause.message())
       .WithReason(cause.reason().empty() ? Reason("NOT_STORED") : cause.reason());
 }
 
-/// For the log.
+/// The log entry of an edit.
 std::shared_ptr<EditRecord> RecordOf(const EditRequest& request, const EditMade& made, const EditOutcome& outcome,
                                      std::int64_t now_ns, std::shared_ptr<const MapSnapshot> before) {
   auto record = std::make_shared<EditRecord>();
@@ -32,7 +32,7 @@ void MapEditor::Edit(EditRequest request, std::function<void(Result<EditOutcome>
   auto run = [this, request = std::move(request), done] {
     done(Guarded<Result<EditOutcome>>([&] { return EditNow(request); }));
     if (!writer_.committer.lacks_left()) return;
-    writer_.publisher.shown().ShowNewest();  // which may be that of frames
+    writer_.publisher.shown().ShowNewest();  // the newest state may contain frames
     writer_.committer.StoreLeft(writer_.map().published());
   };
   writer_.queue.Post({.run = std::move(run),
@@ -40,20 +40,20 @@ void MapEditor::Edit(EditRequest request, std::function<void(Result<EditOutcome>
                       .is_edit = true});
 }
 
-/// If it fails or throws, the map is as it was.
+/// On a failure or exception the map is unchanged.
 Result<EditOutcome> MapEditor::EditNow(const EditRequest& request) {
   const bool is_tried = request.mode == EditMode::kTryOnly;
-  if (!is_tried && !request.source.request_id.empty()) {  // before all else: an etag would be the old one
+  if (!is_tried && !request.source.request_id.empty()) {  // first: its preconditions no longer hold
     DHPMAP_ASSIGN_OR_RETURN(auto repeated, FindRepeated(request.source));
     if (repeated) return *std::move(repeated);
   }
-  // First what is fused: revisions and etags of what the change meets are then those of its present state, and what is
-  // dropped if the store fails is the change alone.
+  // Publish the fused frames first. Then revisions and etags refer to the state that the edit changes, and only the
+  // edit is dropped if the store fails.
   writer_.publisher.Publish();
   Map& map = writer_.map();
   const auto before = map.published();
   if (const Status stored = writer_.committer.StoreFirst(before); !stored.ok()) return NotMade(stored);
-  Map unchanged(before);  // now: to go back must not fail
+  Map unchanged(before);  // now, because restoring it must not fail
   auto outcome = Guarded<Result<EditOutcome>>([&]() -> Result<EditOutcome> {
     DHPMAP_ASSIGN_OR_RETURN(const EditMade made, request.change(map));
     if (!is_tried) return Store(request, made, before);
@@ -61,7 +61,7 @@ Result<EditOutcome> MapEditor::EditNow(const EditRequest& request) {
     if (request.answer) tried.answer = request.answer(MapView(map.Publish(writer_.now_ns()), tried.view.get()), made);
     return tried;
   });
-  if (!outcome.ok() || is_tried) map = std::move(unchanged);  // it may have stopped half-way
+  if (!outcome.ok() || is_tried) map = std::move(unchanged);  // the edit may be incomplete
   return outcome;
 }
 
@@ -77,11 +77,11 @@ Result<std::optional<EditOutcome>> MapEditor::FindRepeated(const EditSource& sou
   return std::optional(EditOutcome{writer_.publisher.Visible(), SubmapId(), std::move(stored->answer)});
 }
 
-/// If it fails or throws, the edit is not stored; what it made of the map must be dropped.
+/// On a failure or exception the edit is not stored, and the caller must drop its changes.
 Result<EditOutcome> MapEditor::Store(const EditRequest& request, const EditMade& made, const State& before) {
   Map& map = writer_.map();
   const std::int64_t now_ns = writer_.now_ns();
-  // Even if nothing changes, it is in the log.
+  // Edits without effect are logged, too.
   if (!request.source.request_id.empty() && !map.is_changed()) (void)map.mutable_info();
   const auto view = std::make_shared<const MapView>(map.Publish(now_ns), writer_.publisher.Visible().get());
   EditOutcome outcome{view, made.submap, request.answer ? request.answer(*view, made) : std::string()};
@@ -90,7 +90,7 @@ Result<EditOutcome> MapEditor::Store(const EditRequest& request, const EditMade&
   if (const Status stored = writer_.committer.StoreUnseen(view->shared_snapshot(), std::move(record)); !stored.ok()) {
     return NotMade(stored);
   }
-  // It is stored: nothing may throw from here on.
+  // The edit is stored: nothing may throw from here on.
   if (is_logged) {
     writer_.recording.Note(
         [&](FrameRecorder& recorder) { recorder.OnEdited(view->snapshot().revision(), request.arrived); });

@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What is answered when a finished map could not be made durable.
+/// The error if a finished map could not be made durable.
 Status NotStoredYet(const Status& cause) {
   return Status(cause.code(), "the map is finished, but is not in the store yet: " + cause.message())
       .WithReason(cause.reason().empty() ? Reason("NOT_STORED") : cause.reason());
@@ -29,7 +29,7 @@ struct MapFinisher::Call {
   FinishStage stage = FinishStage::kWaiting;  ///< guarded by mutex_
   std::atomic<bool> is_taken = false;
 
-  /// False to all but the first: the writer, the one who refuses it, and the caller who has gone answer it once.
+  /// True for the first caller only, so that exactly one of writer, refusal and cancellation answers.
   bool Take() { return !is_taken.exchange(true); }
 };
 
@@ -70,7 +70,7 @@ void MapFinisher::Finish(Done done, std::stop_token stop) {
   try {
     Post(call, std::move(done), std::move(stop));
   } catch (...) {
-    if (!call->Take()) return;  // who has gone meanwhile is answered
+    if (!call->Take()) return;  // cancelled meanwhile, and answered
     End(call);
     throw;
   }
@@ -78,10 +78,10 @@ void MapFinisher::Finish(Done done, std::stop_token stop) {
 
 void MapFinisher::Post(const std::shared_ptr<Call>& call, Done on_done, std::stop_token stop) {
   const auto done = [this, call, on_done = std::move(on_done)](Result<FinishOutcome> outcome) {
-    End(call);  // before the caller knows
+    End(call);  // before the caller is informed
     TellSafely([&] { on_done(std::move(outcome)); });
   };
-  // While it waits nobody asks the token. Dropped with the job, so it is gone before the session is.
+  // While the job waits nobody checks the token. The callback is destroyed with the job, before the open map.
   using OnStop = std::stop_callback<std::function<void()>>;
   const auto on_stop = std::make_shared<OnStop>(stop, [call, done] {
     if (call->Take()) done(Guarded<Status>(NobodyWaitsForTheEnd));
@@ -97,11 +97,11 @@ void MapFinisher::Post(const std::shared_ptr<Call>& call, Done on_done, std::sto
   writer_.queue.Post({.run = std::move(run), .refuse = std::move(refuse), .is_edit = true});
 }
 
-/// If it fails or throws, `done` never runs.
+/// On a failure or exception `done` is not called.
 Status MapFinisher::FinishAndStore(const std::shared_ptr<Call>& call, const std::stop_token& stop, const Done& done) {
   SetStage(call, FinishStage::kRefining);
   DHPMAP_ASSIGN_OR_RETURN(const RefinementReport refinement, Refine(stop));
-  writer_.batches.NoteChange();  // should it fail below, it is stored with the next batch
+  writer_.batches.NoteChange();  // if it fails below, the next batch stores it
   SetStage(call, FinishStage::kStoring);
   if (on_refinement_) TellSafely([&] { on_refinement_(refinement); });
   writer_.recording.Note([](FrameRecorder& recorder) { recorder.OnFinished(); });

@@ -17,7 +17,7 @@ Status NumberReserve::Cover(const MapInfo& info) {
   }
   if (Covers(info)) return Status::Ok();
   const MutexLock store_lock(store_mutex_);
-  return Covers(info) ? Status::Ok() : Reserve(info.name);  // another may have been faster
+  return Covers(info) ? Status::Ok() : Reserve(info.name);  // another thread may have been faster
 }
 
 void NumberReserve::GoAhead(const std::string& map) {
@@ -51,7 +51,7 @@ void NumberReserve::Release(const MapInfo& info) {
     if (marks_.revision == info.revision && marks_.next_submap_id == info.next_submap_id) return;
   }
   const NumberMarks stored{info.revision, info.next_submap_id};
-  if (!store_.Reserve(info.name, stored).ok()) return;  // a gap is no harm
+  if (!store_.Reserve(info.name, stored).ok()) return;  // a gap is harmless
   const MutexLock lock(mutex_);
   marks_ = stored;
 }

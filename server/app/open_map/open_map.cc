@@ -14,7 +14,7 @@ std::int64_t SystemNow() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
-/// Of a map that begins with what the store has.
+/// The history of a map that starts with the stored state.
 std::shared_ptr<SnapshotHistory> KeptFrom(const std::shared_ptr<const MapSnapshot>& stored,
                                           const HistoryOptions& options) {
   auto budget = options.budget ? options.budget : std::make_shared<ByteBudget>(options.bytes);
@@ -93,9 +93,8 @@ void OpenMap::Flush(std::function<void(const Status&)> done) {
 
 Status OpenMap::DeleteFromStore() {
   DHPMAP_RETURN_IF_ERROR(queue_.refusal());
-  Status refusal =
-      NotFound("the map has been deleted").WithReason("MAP_NOT_FOUND");  // now: afterwards nothing may fail
-  DHPMAP_RETURN_IF_ERROR(intake_.seats().Close());                       // nobody may start feeding meanwhile
+  Status refusal = NotFound("the map has been deleted").WithReason("MAP_NOT_FOUND");  // now: nothing may fail later
+  DHPMAP_RETURN_IF_ERROR(intake_.seats().Close());                                    // no new feed may start meanwhile
   Status status = committer_.DeleteMap();
   if (status.ok()) queue_.Close(std::move(refusal));
   else intake_.seats().Reopen();
@@ -115,9 +114,9 @@ bool OpenMap::IsAtRest() const {
 Status OpenMap::Stop() {
   const MutexLock stop_lock(stop_mutex_);
   give_up_.request_stop();
-  const bool is_deleted = queue_.Stop() == StatusCode::kNotFound;  // its name may be another map's by now
+  const bool is_deleted = queue_.Stop() == StatusCode::kNotFound;  // another map may have the name by now
   committer_.Stop();
-  if (!is_deleted) TellSafely([this] { committer_.ReleaseNumbers(builder_.map().info()); });  // a gap is no harm
+  if (!is_deleted) TellSafely([this] { committer_.ReleaseNumbers(builder_.map().info()); });  // a gap is harmless
   return end_outcome_.ok() ? committer_.last_outcome() : CopyOf(end_outcome_);
 }
 

@@ -19,11 +19,11 @@ std::int64_t ResidentBytes(const PageOptions& options) {
 std::int64_t BytesToKeep(const PageOptions& options) { return options.budget_bytes - options.budget_bytes / 4; }
 
 std::int64_t BytesOfReaders(const PageOptions& options) {
-  constexpr std::int64_t kLeast = std::int64_t{64} << 20;  // some 200 tiles: what is around a robot must fit
+  constexpr std::int64_t kLeast = std::int64_t{64} << 20;  // about 200 tiles: the robot's surroundings must fit
   return options.budget_bytes == 0 ? 0 : std::max(options.budget_bytes / 2, kLeast);
 }
 
-/// Where readers hold more than there may be, it is tried again when an eighth has come on top.
+/// If readers hold more than the budget, tries again after growth by an eighth.
 bool PageEvictor::HasTooManyPages() const {
   if (options_.budget_bytes == 0) return false;
   const std::int64_t resident_bytes = ResidentBytes(options_);
@@ -32,7 +32,7 @@ bool PageEvictor::HasTooManyPages() const {
                                                     resident_bytes > held_bytes + options_.budget_bytes / 8);
 }
 
-/// While the state was stored, nothing of it could go.
+/// Pages of the state could not be evicted while it was being stored.
 void PageEvictor::OnKept() {
   if (options_.budget_bytes == 0 || ResidentBytes(options_) <= BytesToKeep(options_)) return;
   if (!kept_->HoldBlocks(options_.spill != nullptr)) return;
@@ -43,22 +43,22 @@ void PageEvictor::OnKept() {
 void PageEvictor::EvictSoon() {
   if (!HasTooManyPages() || is_asked_.exchange(true)) return;
   try {
-    writer_.queue.Post({.run = [this] { is_asked_ = false; },  // after each job the writer looks
+    writer_.queue.Post({.run = [this] { is_asked_ = false; },  // the writer checks after each job
                         .refuse = [this](const Status&) { is_asked_ = false; }});
   } catch (...) {
-    is_asked_ = false;  // there is no memory for it: the next one asks again
+    is_asked_ = false;  // memory has run out: the next request tries again
   }
 }
 
-/// First what nobody has asked for since the last time, then, if need be, all. Before what was fused is published
-/// nothing can go: so that comes early.
+/// Evicts unused pages first, then all if necessary. Publishes first, because nothing can be evicted before fused
+/// frames are published.
 void PageEvictor::Evict() {
   if (!HasTooManyPages()) return;
   if (options_.spill != nullptr && writer_.publisher.has_changes()) {
     TellSafely([this] { writer_.publisher.Publish(); });
   }
   if (writer_.map().is_changed()) return;
-  has_kept_pages_ = false;  // first: what comes from now on may come too late
+  has_kept_pages_ = false;  // first, so that later requests are not lost
   const std::int64_t resident_bytes = ResidentBytes(options_);
   TellSafely([this, resident_bytes] {
     for (const bool even_used : {false, true}) {
@@ -71,17 +71,17 @@ void PageEvictor::Evict() {
   held_bytes_ = left_bytes > BytesToKeep(options_) ? left_bytes : 0;
 }
 
-/// From the writer's map, and from all who keep the same state.
+/// Evicts from the writer's map, and from all holders of the same state.
 void PageEvictor::EvictThoseOf(bool even_used) {
   auto before = writer_.map().published();
   auto same = writer_.map().EvictPages(even_used, options_.spill.get());
   if (same != before) writer_.committer.EvictPages(same);
-  // At last whatever there is: a commit under way may have added one with all that was read. Where another map's
-  // readers hold too much, states that hold nothing of it stay.
+  // Finally evicts all: a running commit may have added a state with all read pages. States without pages stay, if
+  // readers of another map exceed the budget.
   if (same != before || (even_used && kept_->HoldBlocks(options_.spill != nullptr))) kept_->EvictPages(same);
   before.reset();
   const auto view = writer_.publisher.shown().Newest();
-  // Else that state is not to be seen yet.
+  // Otherwise that state must not be visible yet.
   if (view->shared_snapshot() != same && view->snapshot().revision() == same->revision()) {
     writer_.publisher.shown().Show(std::make_shared<const MapView>(std::move(same), view.get()));
   }

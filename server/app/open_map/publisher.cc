@@ -11,7 +11,7 @@ Publisher::Publisher(Map& map, Committer& committer, PublishOptions options, con
     : map_(map),
       committer_(committer),
       options_(std::move(options)),
-      longest_preparation_s_(std::min(options_.delay_s, commit.delay_s)),  // nobody is told when it is seen
+      longest_preparation_s_(std::min(options_.delay_s, commit.delay_s)),  // nobody is informed of visibility
       retry_s_(commit.retry_s),
       now_ns_(std::move(now_ns)),
       shown_(std::make_shared<VisibleSnapshot>(std::make_shared<const MapView>(map.published()), options_.prepare)) {}
@@ -35,7 +35,7 @@ void Publisher::PublishPrepared() {
   show_due_ = DueIn(longest_preparation_s_);
 }
 
-/// Of what has changed; null: nobody may see it yet, and the next attempt is put off.
+/// A view of the changes; null if it must not be visible yet, which postpones the next attempt.
 Publisher::View Publisher::MakeView() {
   auto snapshot = map_.Publish(now_ns_());
   if (!committer_.MayBeSeen(*snapshot)) {

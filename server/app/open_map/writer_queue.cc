@@ -52,7 +52,7 @@ StatusCode WriterQueue::Stop() {
     stopping_ = true;
     if (refusal_.ok()) refusal_ = Guarded<Status>(ShuttingDown);
     refusal = refusal_.code();
-    // A thread that has retired comes back for the last chore; if there never was one, nothing has changed.
+    // Restarts an idle thread for the final work; if it never ran, nothing has changed.
     if (thread_.has_run()) (void)Guarded<Status>([this] { return thread_.Start([this] { Loop(); }); });
   }
   wake_.NotifyOne();
@@ -66,7 +66,7 @@ Status WriterQueue::Start() {
 
 void WriterQueue::Loop() {
   NameThisThread("map-writer");
-  (void)TakeTurns(Turns::kOrdinary);  // a quick thread has begun it
+  (void)TakeTurns(Turns::kOrdinary);  // a thread with quick turns has started this one
   MutexLock lock(mutex_);
   while (!stopping_) {
     const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || !jobs_.empty(); };
@@ -108,7 +108,7 @@ void WriterQueue::RefuseAll() {
       const WriterJob job = Take();
       lock.Unlock();
       TellSafely([&] { job.refuse(status); });
-    }  // gone before the lock: its destructor may wait for a callback that wants the lock
+    }  // destroyed before the lock: its destructor may wait for a callback that needs the lock
     lock.Lock();
   }
 }

@@ -11,12 +11,12 @@
 namespace dhpmap {
 namespace {
 
-// Between two batches the cache may let go of surfaces.
+// The cache may evict surfaces between batches.
 constexpr std::size_t kBodiesABatch = 1024;
 
 Status NobodyWaitsForCheck() { return Cancelled("the client went away"); }
 
-/// A query a list of what may be touched, made when a body first needs it.
+/// One query for each list of allowed contacts, created on first use.
 class BodyQueries {
  public:
   BodyQueries(std::shared_ptr<const MapSurfaces> surfaces, const CheckQuestion& question)

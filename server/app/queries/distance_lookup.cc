@@ -16,7 +16,7 @@ Status LookUpDistances(const MapView& view, SurfaceCache& cache, const DistanceQ
   for (const auto batch : BatchesOf(points_m)) {
     if (stop.stop_requested()) return Cancelled("the client went away");
     answers.assign(batch.size(), {});
-    // One a batch: between two the cache may let go of surfaces, and the caller of the answer.
+    // One for each batch: between batches the cache may evict surfaces, and the caller may take the answers.
     const DistanceQuery query(cache.Of(view.shared_snapshot(), question.options.scope.with_absent), question.options);
     SpreadAlongCurve(batch, spread, [&](std::span<const std::uint32_t> piece) {
       if (stop.stop_requested()) return;

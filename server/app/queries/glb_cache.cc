@@ -13,9 +13,9 @@ std::shared_ptr<const GlbFile> GlbCache::Find(std::uint64_t name) {
 
 void GlbCache::Put(std::uint64_t name, std::shared_ptr<const GlbFile> file) {
   if (file->bytes.size() > limit_bytes_ / 2) return;
-  std::list<Entry> forgotten;  // goes after the mutex is free again
+  std::list<Entry> forgotten;  // destroyed after the mutex is released
   const MutexLock lock(mutex_);
-  if (by_name_.contains(name)) return;  // somebody else has made the same
+  if (by_name_.contains(name)) return;  // another thread has added it
   bytes_ += file->bytes.size();
   entries_.emplace_front(name, std::move(file));
   by_name_[name] = entries_.begin();

@@ -38,7 +38,7 @@ void Append(Number number, std::string& text) {
   text.append(reinterpret_cast<const char*>(&number), sizeof(number));
 }
 
-/// In JSON: control characters are spaces.
+/// A JSON string; control characters become spaces.
 std::string Quoted(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -48,7 +48,7 @@ std::string Quoted(std::string_view text) {
   return quoted + '"';
 }
 
-/// Of an object's node: who it is, and as what it was seen; rounded, so that not each frame makes another file.
+/// Properties of an object's node: identity and class. Rounded, so that not every frame changes the file.
 std::string ExtrasOf(const SubmapInfo& info, const LabelSet& classes) {
   std::string extras = R"({"instance_id":)" + std::to_string(info.id.value);
   if (info.panoptic != Panoptic::kUnknown) {
@@ -83,7 +83,7 @@ void GlbPlan::AppendWanted(std::string& text) const {
 }
 
 std::uint64_t GlbPlan::NameOf() const {
-  if (request_.coloring != MeshColoring::kSensor) return 0;  // would have to name all classes and their colours
+  if (request_.coloring != MeshColoring::kSensor) return 0;  // it would have to include all classes and their colours
   std::string text = map_.info().name;
   AppendWanted(text);
   for (const SourceTile& source : sources_.tiles) {
@@ -94,7 +94,7 @@ std::uint64_t GlbPlan::NameOf() const {
 }
 
 std::uint64_t GlbPlan::StateNameOf() const {
-  // Raise it when the same objects become another file.
+  // Increment when the same objects give another file.
   constexpr std::uint32_t kWayOfMaking = 1;
   if (request_.coloring != MeshColoring::kSensor) return 0;
   std::string text;
@@ -111,9 +111,8 @@ std::uint64_t GlbPlan::StateNameOf() const {
 }
 
 std::size_t GlbPlan::BytesOf() const {
-  // Masks and numbers of a block; where several submaps have it, a merged copy. Of each block of what is wanted the
-  // surface, twice as a mesh, in the map's and in its own numbers, and once in the file: some 30 vertices and 60
-  // triangles.
+  // A block needs masks and numbers; a block of several submaps, a merged copy. Each requested block needs its surface
+  // twice as a mesh, with the map's and its own numbers, and once in the file: about 30 vertices and 60 triangles.
   constexpr std::size_t kBlock = 800, kMerged = sizeof(TsdfBlock) + kBlockVoxels * sizeof(std::uint16_t);
   constexpr std::size_t kSurface = 8000;
   std::size_t num_wanted = 0, num_sources = 0;

@@ -22,11 +22,11 @@ std::size_t CapacityOf(const Mesh& mesh) {
          CapacityBytes(mesh.classes) + CapacityBytes(mesh.instances) + CapacityBytes(mesh.triangles);
 }
 
-/// An etag is a "g", 16 digits of the bytes, and 16 of the state of what they show. Either tells that two files are the
-/// same.
+/// An etag is a "g", 16 digits for the bytes, and 16 for the state that they show. If either agrees, the files are
+/// equal.
 constexpr std::size_t kTagDigits = 16, kContentAt = 1, kStateAt = kContentAt + kTagDigits;
 
-/// The first of the client's etags that has `digits` at that place; empty: none has.
+/// The first of the client's etags that has `digits` at this position; empty if there is none.
 std::string HeldEtag(std::string_view held, std::size_t at, std::string_view digits) {
   while (!held.empty()) {
     const std::size_t end = std::min(held.find(','), held.size());
@@ -39,7 +39,7 @@ std::string HeldEtag(std::string_view held, std::size_t at, std::string_view dig
   return {};
 }
 
-/// Of what MeshStream goes through.
+/// Reads the tiles that MeshStream visits.
 void ReadAll(const MapSnapshot& map, const Submap* only, const Spread& spread, const std::stop_token& stop) {
   std::vector<const BlockTile*> unread;
   for (const auto& submap : map.submaps()) {
@@ -90,7 +90,7 @@ bool MeshFile::Next(std::string& piece) {
 }
 
 std::size_t BytesOfExport(const MapSnapshot& map, const MeshRequest& request) {
-  // Masks and numbers of a block. Blocks that several submaps have are merged into a copy: at worst all, two into one.
+  // Masks and numbers of a block. Blocks of several submaps are merged into a copy: in the worst case all, in pairs.
   constexpr std::size_t kBlock = 800, kMerged = sizeof(TsdfBlock) + kBlockVoxels * sizeof(std::uint16_t);
   if (request.format == MeshFormat::kGlb) return GlbPlan(map, request).num_bytes();
   if (request.submap) {

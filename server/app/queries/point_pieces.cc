@@ -20,7 +20,7 @@ std::vector<std::span<const Eigen::Vector3d>> BatchesOf(std::span<const Eigen::V
 
 void SpreadAlongCurve(std::span<const Eigen::Vector3d> batch, const Spread& spread,
                       const std::function<void(std::span<const std::uint32_t>)>& body) {
-  constexpr std::size_t kPiece = 1024;  // some 0.3 ms
+  constexpr std::size_t kPiece = 1024;  // about 0.3 ms
   const std::vector<std::uint32_t> order = OrderAlongCurve(batch);
   spread((order.size() + kPiece - 1) / kPiece, [&](std::size_t i) {
     const std::size_t begin = i * kPiece;

@@ -7,7 +7,7 @@
 namespace dhpmap {
 namespace {
 
-// Between two batches the cache may let go of surfaces, and the caller of the answer.
+// Between batches the cache may evict surfaces, and the caller may take the answers.
 constexpr std::size_t kRaysABatch = 256;
 
 }  // namespace

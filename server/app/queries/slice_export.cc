@@ -9,14 +9,14 @@
 namespace dhpmap {
 namespace {
 
-/// Some nanoseconds each.
+/// A few nanoseconds each.
 constexpr std::int64_t kMostPoints = 400'000'000;
 
 Status TooLarge(const std::string& field, const std::string& what) {
   return InvalidArgument("the slice is too large").WithReason("BAD_POINTS").WithViolation(field, what);
 }
 
-/// Outwards to multiples of the resolution: of the map's frame at its voxel size, cells are columns of voxels.
+/// Extends the area to multiples of the resolution: at the voxel size in the map frame, cells are columns of voxels.
 Eigen::AlignedBox2d OnMultiples(const Eigen::AlignedBox2d& area_m, double resolution_m) {
   constexpr double kRounding = 1e-6;
   const auto snap = [&](double value_m, double sign) {
@@ -26,7 +26,7 @@ Eigen::AlignedBox2d OnMultiples(const Eigen::AlignedBox2d& area_m, double resolu
           Eigen::Vector2d(snap(area_m.max().x(), 1), snap(area_m.max().y(), 1))};
 }
 
-/// Sets corner and size.
+/// Sets the corner and the size.
 Status Place(const Eigen::AlignedBox2d& area_m, double voxel_size_m, SliceOptions& options) {
   const auto num_cells = [&](double length_m) {
     return std::max(1.0, std::ceil(length_m / options.resolution_m - 1e-6));

@@ -29,7 +29,7 @@ bool SubmapFilter::TouchesAll(const BoundingSphere& sphere) const {
 bool SubmapFilter::Passes(const Submap& submap) const {
   if (!PassesLabels(submap.info().panoptic, submap.info().class_id)) return false;
   if (!region && !near) return true;
-  return TouchesAll(submap.BoundingSphereInMap()) && TouchesAll(SphereOfObservedInMap(submap));  // cheap one first
+  return TouchesAll(submap.BoundingSphereInMap()) && TouchesAll(SphereOfObservedInMap(submap));  // the cheap test first
 }
 
 bool SubmapFilter::Passes(const SubmapPlace& place) const {

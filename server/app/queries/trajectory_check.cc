@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-// Between two batches the cache may let go of surfaces.
+// The cache may evict surfaces between batches.
 constexpr std::size_t kMotionsABatch = 64;
 
 Status NobodyWaitsForMotions() { return Cancelled("the client went away"); }

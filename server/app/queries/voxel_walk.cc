@@ -29,7 +29,7 @@ VoxelWalk::VoxelWalk(std::shared_ptr<const MapSnapshot> snapshot, const Submap& 
       spread_(std::move(spread)) {}
 
 void VoxelWalk::ReadAhead() {
-  constexpr std::size_t kTilesAhead = 2;  // which nobody bounds otherwise: 1.3 MB of full ones
+  constexpr std::size_t kTilesAhead = 2;  // not covered by a budget: 1.3 MB if full
   const auto tiles = submap_->blocks().tiles().subspan(tile_);
   std::vector<std::shared_ptr<const ScannedTile>> scanned(std::min(tiles.size(), kTilesAhead));
   spread_(scanned.size(), [&](std::size_t i) { scanned[i] = std::make_shared<const ScannedTile>(*tiles[i].tile); });

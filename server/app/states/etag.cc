@@ -17,7 +17,7 @@ std::string Hex16(std::uint64_t number) {
   return text.data();
 }
 
-// A submap's etag is HISTORY-sID-rREVISION-eEDITED: opaque to clients, readable to us.
+// A submap's etag is HISTORY-sID-rREVISION-eEDITED, opaque to clients.
 
 std::string StartOfEtag(const SubmapInfo& submap, const MapInfo& map) {
   return HistoryText(map.history_id) + "-s" + std::to_string(submap.id.value) + "-r";
@@ -25,7 +25,7 @@ std::string StartOfEtag(const SubmapInfo& submap, const MapInfo& map) {
 
 std::string EndOfEtag(const SubmapInfo& submap) { return "-e" + std::to_string(submap.edited_revision); }
 
-/// The revision in an etag that differs from the submap's in nothing else.
+/// The revision in an etag that otherwise equals the submap's.
 std::optional<std::int64_t> RevisionOf(std::string_view etag, const SubmapInfo& submap, const MapInfo& map) {
   const std::string start = StartOfEtag(submap, map), end = EndOfEtag(submap);
   if (etag.size() <= start.size() + end.size() || !etag.starts_with(start) || !etag.ends_with(end)) return std::nullopt;
@@ -56,7 +56,7 @@ Status CheckEtag(std::string_view given, const std::string& present, const std::
 Status CheckEtag(std::string_view given, const SubmapInfo& submap, const MapInfo& map, const LostRevisions& lost) {
   if (given.empty()) return Status::Ok();
   const auto revision = RevisionOf(given, submap, map);
-  // One beyond the submap's own was lost, too: the submap was never in that state.
+  // A revision above the submap's own was lost, too: the submap was never in that state.
   if (revision && *revision <= submap.revision && !IsLost(lost, *revision)) return Status::Ok();
   return CheckEtag(given, EtagOf(submap, map), "submap " + std::to_string(submap.id.value));
 }

@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-/// A mixer of 64 bits (splitmix64).
+/// A 64-bit hash (splitmix64).
 std::uint64_t Mixed(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15u;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -31,7 +31,7 @@ bool IsInMemory(const Submap& submap) {
 OutlineCache::Key OutlineCache::KeyOf(const Submap& submap) {
   Key key;
   for (const TileEntry& tile : submap.blocks().tiles()) {
-    key.tiles += Mixed(tile.tile->part_id() ^ PlaceNumber(tile.index));  // in whichever order
+    key.tiles += Mixed(tile.tile->part_id() ^ PlaceNumber(tile.index));  // independent of the order
   }
   const Eigen::Vector3d up = 1e9 * submap.info().T_map_submap.linear().row(2).transpose();
   key.up_x = std::llround(up.x());
@@ -55,9 +55,9 @@ std::optional<SubmapOutline> OutlineCache::Find(const Submap& submap, Reading re
       return in_map(known->second->outline);
     }
   }
-  const auto kept = submap.kept_outline().Find(T_map_submap);  // as it was stored
+  const auto kept = submap.kept_outline().Find(T_map_submap);  // stored with the submap
   if (kept == nullptr && reading == Reading::kNever && !IsInMemory(submap)) return std::nullopt;
-  // Nobody waits for it; twice is no harm.
+  // Without the lock, because computing it twice is harmless.
   Kept found{key, kept != nullptr ? kept->outline : FindOutline(submap, R_level_submap)};
   std::optional<SubmapOutline> answer = in_map(found.outline);
   const MutexLock lock(mutex_);

@@ -17,12 +17,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBetweenLooks{200};
-constexpr int kMostShareOfACore = 25;  // a look is this many times shorter than the time to the next
+constexpr int kMostShareOfACore = 25;  // the pause between looks is at least this many times the duration of a look
 
-/// What old states take until the next look, at most as a rule: half as much again.
+/// Expected memory of old states until the next look: 1.5 times as much.
 std::size_t WithGrowth(std::size_t bytes) { return bytes + bytes / 2; }
 
-/// `now_of`: the submap in a later state, or null.
+/// `now_of`: returns the submap in a later state, or null.
 template <typename NowOf>
 std::size_t BytesNotIn(const MapSnapshot& before, NowOf&& now_of) {
   std::size_t bytes = 0;
@@ -60,13 +60,13 @@ struct PinnedSnapshots::Pin::Held {
 
   const State state;
   Mutex mutex;
-  OnEvict on_evict DHPMAP_GUARDED_BY(mutex);  ///< empty: it cannot, or has
+  OnEvict on_evict DHPMAP_GUARDED_BY(mutex);  ///< empty: cannot be evicted, or was already
 };
 
 PinnedSnapshots::Pin::Pin(std::shared_ptr<Held> held) : held_(std::move(held)) {}
 
 PinnedSnapshots::Pin::~Pin() {
-  const MutexLock lock(held_->mutex);  // waits for one who is asking
+  const MutexLock lock(held_->mutex);  // waits for a running callback
   held_->on_evict = nullptr;
 }
 
@@ -126,7 +126,7 @@ std::vector<std::shared_ptr<PinnedSnapshots::Held>> PinnedSnapshots::StillHeld()
   return states;
 }
 
-/// Of the map whose states take most; held.size() if nobody of it can.
+/// The oldest evictable state of the map with most memory; held.size() if there is none.
 std::size_t PinnedSnapshots::OldestEvictable(const std::vector<std::shared_ptr<Held>>& held,
                                              const std::vector<std::size_t>& bytes) {
   const auto most = static_cast<std::size_t>(std::max_element(bytes.begin(), bytes.end()) - bytes.begin());
@@ -136,8 +136,8 @@ std::size_t PinnedSnapshots::OldestEvictable(const std::vector<std::shared_ptr<H
   return held.size();
 }
 
-/// What the i-th state has that neither a later one nor the present one has: what was written once does not come back.
-/// Nothing, if it is kept anyway.
+/// The bytes of the i-th state that neither a later one nor the current one has: data that were replaced do not return.
+/// 0 if the state is kept anyway.
 std::size_t PinnedSnapshots::BytesAlone(const std::vector<std::shared_ptr<Held>>& held, std::size_t i) const {
   const MapSnapshot& state = *held[i]->state;
   std::size_t end = i + 1;
@@ -162,7 +162,7 @@ void PinnedSnapshots::Look() {
     const std::size_t oldest = OldestEvictable(held, bytes);
     if (oldest == held.size()) return;
     held[oldest]->AskToLetGo();
-    // As good as gone; if it is not, the next look asks again.
+    // Count it as freed; if it is not, the next look asks again.
     held.erase(held.begin() + static_cast<std::ptrdiff_t>(oldest));
     bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(oldest));
     if (oldest > 0) bytes[oldest - 1] = BytesAlone(held, oldest - 1);
@@ -180,7 +180,7 @@ void PinnedSnapshots::LookAgainAndAgain() {
     try {
       Look();
     } catch (const std::exception&) {
-      // There is no memory for a look: what was counted stays counted, and the next one may have some.
+      // Memory has run out: keep the current count and try again at the next look.
     }
     const auto pause = std::max<Clock::duration>(kBetweenLooks, kMostShareOfACore * (Clock::now() - begin));
     lock.Lock();

@@ -46,15 +46,15 @@ void SnapshotHistory::Keep(State state) {
   const State before = Newest();
   if (max_states_ == 0 || (before != nullptr && before->revision() >= state->revision())) return;
   const std::size_t bytes = before != nullptr ? StateBytesNotIn(*before, *state) : 0;
-  std::vector<Kept> dropped;  // freed after the mutex: that may take long
+  std::vector<Kept> dropped;  // freed after the mutex is released, because it may take long
   View last_view;
   const MutexLock lock(mutex_);
   dropped.reserve(kept_.size());
-  const bool has_before = before != nullptr && !kept_.empty();  // EvictPages may have been here meanwhile
+  const bool has_before = before != nullptr && !kept_.empty();  // EvictPages may have run meanwhile
   kept_.push_back({std::move(state), 0});
   if (has_before) kept_[kept_.size() - 2].bytes = bytes;
   std::size_t all = share_.bytes() + (has_before ? bytes : 0);
-  while (kept_.size() > max_states_ || !share_.Resize(all)) {  // the newest costs nothing: there is room for it
+  while (kept_.size() > max_states_ || !share_.Resize(all)) {  // ends: the newest state takes no bytes
     all -= kept_.front().bytes;
     dropped.push_back(std::move(kept_.front()));
     kept_.pop_front();
@@ -64,8 +64,8 @@ void SnapshotHistory::Keep(State state) {
 }
 
 bool SnapshotHistory::HoldBlocks(bool even_written) const {
-  std::unordered_set<const Submap*> looked_at;  // most have the same
-  for (const State& state : All()) {            // readers do not wait for the look
+  std::unordered_set<const Submap*> looked_at;  // states share most submaps
+  for (const State& state : All()) {            // without blocking readers
     for (const auto& submap : state->submaps()) {
       if (!looked_at.insert(submap.get()).second) continue;
       const auto tiles = submap->blocks().tiles_if_read();
@@ -80,7 +80,7 @@ bool SnapshotHistory::HoldBlocks(bool even_written) const {
 }
 
 void SnapshotHistory::EvictPages(State same) {
-  std::deque<Kept> dropped;  // freed after the mutex, as above
+  std::deque<Kept> dropped;  // freed after the mutex is released
   View last_view;
   const MutexLock lock(mutex_);
   dropped.swap(kept_);
@@ -96,7 +96,7 @@ std::deque<SnapshotHistory::Kept>::const_iterator SnapshotHistory::FirstFrom(std
 }
 
 SnapshotHistory::View SnapshotHistory::Find(std::int64_t revision) const {
-  View before;  // gone after the mutex
+  View before;  // destroyed after the mutex is released
   const MutexLock lock(mutex_);
   const auto found = FirstFrom(revision);
   if (found == kept_.end() || found->state->revision() != revision) return nullptr;
@@ -147,7 +147,7 @@ Result<SnapshotHistory::View> ViewAt(std::int64_t revision, const SnapshotHistor
   if (revision == now.revision()) return present;
   DHPMAP_RETURN_IF_ERROR(CheckNotLost(revision, lost, now.info(), field));
   const auto view = kept.Find(revision);
-  // Another history if a map of that name was made anew meanwhile: its numbers mean nothing here.
+  // A new map of the same name has another history: its revisions do not count.
   if (view != nullptr && view->snapshot().info().history_id == now.info().history_id) return view;
   return RevisionNotKept(revision, now, kept.Around(revision));
 }

@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// Of a table's index from tile to position: an IndexMap, at most half full.
+/// Bytes of a table's index from tile to position: an IndexMap, at most half full.
 std::size_t TileIndexBytes(std::size_t num_tiles) {
   constexpr std::size_t kSlot_bytes = sizeof(TileIndex) + sizeof(std::uint32_t);
   return num_tiles == 0 ? 0 : std::bit_ceil(std::max<std::size_t>(8, 2 * num_tiles)) * kSlot_bytes;
@@ -24,7 +24,7 @@ std::size_t BytesIfGone(const std::shared_ptr<const Layer>& layer, const std::sh
 
 std::size_t TileBytesNotIn(const BlockTile& before, const BlockTile* later) {
   if (!before.IsRead()) return 0;
-  if (later != nullptr && !later->IsRead()) later = nullptr;  // what it may read some day is memory of its own
+  if (later != nullptr && !later->IsRead()) later = nullptr;  // it will not share pages that it reads later
   std::size_t bytes = 0;
   for (const BlockEntry& block : before.entries()) {
     const BlockEntry* now = later != nullptr ? later->Find(CellOf(block.index)) : nullptr;
@@ -35,14 +35,14 @@ std::size_t TileBytesNotIn(const BlockTile& before, const BlockTile* later) {
   return bytes;
 }
 
-/// What a row has beside itself.
+/// Bytes of the lists of a row.
 std::size_t RowListBytes(const SubmapInfo& info) {
   std::size_t bytes = info.display_name.size() + info.class_counts.size() * sizeof(ClassTotal);
   for (const Sighting& sighting : info.sightings.all()) bytes += sizeof(Sighting) + sighting.session.size();
   return bytes;
 }
 
-/// The lists of a map's own row, which each state has anew but for what was merged.
+/// Bytes of the lists in a map's row. Each state has its own, except for merged ids.
 std::size_t MapListBytesNotIn(const MapInfo& before, const MapInfo& later) {
   std::size_t bytes = before.pairs.pairs().size_bytes();
   for (const SessionMark& mark : before.sessions.marks()) bytes += sizeof(SessionMark) + mark.session.size();
@@ -51,7 +51,7 @@ std::size_t MapListBytesNotIn(const MapInfo& before, const MapInfo& later) {
   return bytes + (&merged == &later.merged.list() ? 0 : merged.size() * sizeof(MergedId));
 }
 
-/// Row and tables of a submap that is another object later, but for its blocks.
+/// Bytes of row and tables of a submap that later is another object, without its blocks.
 std::size_t TableBytesNotIn(const Submap& before, const Submap* later) {
   const std::span<const TileEntry> tiles = before.blocks().tiles_if_read();
   std::size_t bytes = sizeof(Submap) + RowListBytes(before.info()) + TileIndexBytes(tiles.size());
@@ -78,7 +78,7 @@ std::size_t SpaceBytesNotIn(const std::shared_ptr<const FreeSpace>& before, cons
 std::size_t BlockBytesNotIn(const Submap& before, const Submap* later) {
   std::size_t bytes = 0;
   if (later != nullptr && before.blocks().SharesUnread(later->blocks())) {
-    return bytes;  // which nobody has written to since the map was loaded
+    return bytes;  // not changed since the map was loaded
   }
   for (const TileEntry& tile : before.blocks().tiles_if_read()) {
     const TileEntry* now = later != nullptr ? later->blocks().FindTile(tile.index) : nullptr;

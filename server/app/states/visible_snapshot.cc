@@ -30,7 +30,7 @@ void VisibleSnapshot::Show(std::shared_ptr<const MapView> next) {
   std::shared_ptr<const MapView> waiting;
   {
     const MutexLock lock(mutex_);
-    if (shown_->shared_snapshot() == state) return;  // it knows more than a new one
+    if (shown_->shared_snapshot() == state) return;  // the existing view has more cached data
     shown_.swap(next);
     waiting_.swap(waiting);
   }

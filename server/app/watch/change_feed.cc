@@ -23,7 +23,7 @@ Result<std::unique_ptr<ChangeFeed::Follower>> ChangeFeed::Follow(const std::stri
 void ChangeFeed::Remove(Follower& follower) {
   const MutexLock lock(mutex_);
   const auto channel = channels_.find(follower.map_);
-  if (channel == channels_.end() || channel->second.followers.erase(&follower) == 0) return;  // was refused
+  if (channel == channels_.end() || channel->second.followers.erase(&follower) == 0) return;  // it was refused
   --num_followers_;
   if (!channel->second.followers.empty()) return;
   DropKept(channel->second);
@@ -59,7 +59,7 @@ void ChangeFeed::DropKept(Channel& channel) {
 void ChangeFeed::Take(Channel& channel, const ChangeList& list) {
   if (!channel.has_read || channel.history_id != list.history_id || list.revision < channel.revision) {
     DropKept(channel);
-    channel.complete_after = list.revision;  // what is before is read by those who ask for it
+    channel.complete_after = list.revision;  // earlier changes are read on demand
     if (!list.changes.empty()) channel.complete_after = list.changes.front()->first_revision - 1;
   }
   channel.has_read = true;
@@ -92,17 +92,17 @@ ChangeList ChangeFeed::ListKept(const Channel& channel, std::int64_t after_revis
   return list;
 }
 
-/// Reads what the store has after what was read last.
+/// Reads the stored changes after the last one read.
 Status ChangeFeed::Refresh(const std::string& map) {
   std::int64_t after = -1;
   {
     const MutexLock lock(mutex_);
     const auto found = channels_.find(map);
     if (found == channels_.end() || found->second.is_fresh) return Status::Ok();
-    found->second.is_fresh = true;  // unless something happens from now on
+    found->second.is_fresh = true;  // unless another change occurs from now on
     if (found->second.has_read) after = found->second.revision;
   }
-  if (after < 0) after = std::numeric_limits<std::int64_t>::max();  // where the map is now, and no more
+  if (after < 0) after = std::numeric_limits<std::int64_t>::max();  // start at the current state
   const Result<ChangeList> list = store_.ListChanges(map, after, kPage_bytes);
   const MutexLock lock(mutex_);
   const auto found = channels_.find(map);
@@ -111,7 +111,7 @@ Status ChangeFeed::Refresh(const std::string& map) {
   if (!list.ok()) {
     channel.is_fresh = channel.has_read = false;
     const bool is_too_far_behind = list.status().code() == StatusCode::kOutOfRange;
-    return is_too_far_behind ? Status::Ok() : list.status();  // each reads from where it is
+    return is_too_far_behind ? Status::Ok() : list.status();  // each follower reads from its own position
   }
   if (list->has_more) channel.is_fresh = false;
   Take(channel, *list);

@@ -9,7 +9,8 @@ bool ChangeFilter::Passes(const SubmapEvent& event) const {
   if (event.kind == ChangeKind::kChanged && !parts.empty() && !event.parts.HasAnyOf(parts)) return false;
   if (event.before && place.Passes(*event.before)) return true;
   const bool is_gone = event.kind == ChangeKind::kRemoved || event.kind == ChangeKind::kMerged;
-  // What came and went between two states may have been anywhere: who listed it meanwhile must hear that it is gone.
+  // An object that came and went between two states may have been anywhere: clients that listed it must learn of its
+  // removal.
   if (is_gone) return !event.before;
   return place.Passes({event.info.panoptic, event.info.class_id, event.observed});
 }

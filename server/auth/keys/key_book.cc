@@ -16,7 +16,7 @@ Status NoKey(std::string_view name) {
 
 bool IsGood(const KeyRecord& record, std::int64_t now_s) { return !record.revoked_s && record.expires_s > now_s; }
 
-/// Of an id that no record has: by chance alone it would take 2^24 keys.
+/// Adds a record with a new random id. A collision is reported; by chance it takes some 2^24 keys.
 Result<ShownKey> Add(KeyRecord record, const Randomness& randomness, std::vector<KeyRecord>& records) {
   if (records.size() >= kMostKeys) {
     return InvalidArgument("the file has as many keys as it may: take out old ones").WithReason("BAD_KEY");

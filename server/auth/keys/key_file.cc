@@ -98,7 +98,7 @@ std::string FolderOf(const std::string& path) {
   return slash == std::string::npos ? "." : path.substr(0, slash + 1);
 }
 
-/// Under the lock, so that nobody else writes the same temporary file. What a crash left of one is replaced.
+/// Under the lock, so that no other process writes the same temporary file. Replaces what a crash left of one.
 Status Replace(const std::string& path, const std::string& text) {
   const std::string made = path + ".new";
   unlink(made.c_str());

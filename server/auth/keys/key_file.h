@@ -12,10 +12,10 @@ namespace dhpmap::auth {
 
 inline constexpr std::size_t kMostKeys = 10'000;
 
-/// What tells whether a file has been written or replaced.
+/// Identifies a state of a file, to detect that it was written or replaced.
 struct FileState {
   std::uint64_t device = 0, inode = 0, size = 0;
-  std::int64_t changed_ns = 0;  ///< content, owner or mode
+  std::int64_t changed_ns = 0;  ///< ctime: of content, owner or mode
   friend bool operator==(const FileState&, const FileState&) = default;
 };
 
@@ -24,15 +24,15 @@ struct KeyFileContent {
   FileState state;
 };
 
-/// FAILED_PRECONDITION, reason BAD_KEY_FILE: it is not there, a symbolic link, no plain file, of another user, open to
-/// others than its owner (0600), too large, or has a line that is no key's. All of it is taken or nothing.
+/// FAILED_PRECONDITION, reason BAD_KEY_FILE, if the file is missing, a symbolic link, not a regular file, owned by
+/// another user, accessible to others than its owner (0600), too large, or has a malformed line. Then no key is taken.
 Result<KeyFileContent> ReadKeyFile(const std::string& path);
-/// Of the file as it is now; errors as of ReadKeyFile.
+/// The state of the file now; errors as in ReadKeyFile.
 Result<FileState> StateOfKeyFile(const std::string& path);
 
-/// Makes an empty file if there is none; changes it while no other process does, and puts the new one in place of the
-/// old at once: after a crash it is one or the other. The lock is a file of the same name with ".lock" behind it.
-/// Errors of `change`, which leave it as it was, or as of ReadKeyFile.
+/// Changes the file under a lock against other processes (a file of the same name plus ".lock"); creates an empty one
+/// if it is missing. Replaces the file atomically, so a crash leaves the old or the new one. Returns errors of
+/// `change`, after which the file is unchanged, or errors as in ReadKeyFile.
 Status ChangeKeyFile(const std::string& path, const std::function<Status(std::vector<KeyRecord>&)>& change);
 
 }  // namespace dhpmap::auth

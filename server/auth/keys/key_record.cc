@@ -22,7 +22,7 @@ std::optional<std::string> TextOf(const Json& json, const char* field) {
   return found->get<std::string>();
 }
 
-/// `absent` where there is no such field; nothing if it is no time.
+/// `absent` if the field is missing; nothing if it is not a time.
 std::optional<std::int64_t> TimeOf(const Json& json, const char* field, std::int64_t absent) {
   if (!json.contains(field)) return absent;
   const auto text = TextOf(json, field);

@@ -13,10 +13,10 @@
 
 namespace dhpmap::auth {
 
-/// What the server keeps of a key: never the key itself.
+/// What the server stores of a key: never the key itself.
 struct KeyRecord {
   std::string id = {};
-  std::string name = {};  ///< of its principal; several keys may have it, while one takes another's place
+  std::string name = {};  ///< of its principal; several keys may have it during a rotation
   Role role = Role::kViewer;
   NamePatterns maps = {};
   NamePatterns sessions = {};
@@ -28,12 +28,12 @@ struct KeyRecord {
   friend bool operator==(const KeyRecord&, const KeyRecord&) = default;
 };
 
-/// 1 to 64 of a-z A-Z 0-9 . _ -, which no author's name of another can begin with, since that goes on with a slash.
+/// 1 to 64 of a-z A-Z 0-9 . _ -. No slash, because that separates a principal from the rest of an author's name.
 bool IsPrincipalName(std::string_view name);
 
-/// One line of JSON, without its end.
+/// One line of JSON, without its newline.
 std::string LineOf(const KeyRecord& record);
-/// FAILED_PRECONDITION, reason BAD_KEY_FILE, for what is no such line; it names the field, never its value.
+/// FAILED_PRECONDITION, reason BAD_KEY_FILE, for a malformed line; names the field, never its value.
 Result<KeyRecord> RecordFromLine(std::string_view line);
 
 }  // namespace dhpmap::auth

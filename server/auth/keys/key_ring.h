@@ -13,17 +13,17 @@
 
 namespace dhpmap::auth {
 
-/// The keys of a file as it was, found by id. Immutable, so thread-safe.
+/// The keys of a file at one moment, found by id. Immutable, so thread-safe.
 class KeyRing {
  public:
   explicit KeyRing(const std::vector<KeyRecord>& records);
 
-  /// Whose key this is. UNAUTHENTICATED with reason BAD_CREDENTIAL, in the same words and the same time whether there
-  /// is no such id or the secret is wrong; only who has the secret learns that it is revoked (KEY_REVOKED) or past its
-  /// time (KEY_EXPIRED).
+  /// The principal of a key. UNAUTHENTICATED, reason BAD_CREDENTIAL, for an unknown id or a wrong secret: message and
+  /// time are the same for both. Only a caller with the right secret learns that the key is revoked (KEY_REVOKED) or
+  /// expired (KEY_EXPIRED).
   [[nodiscard]] Result<PrincipalPtr> Find(std::string_view key_text, std::int64_t now_s) const;
 
-  /// Why a principal that was found before is none now, or is another: OK if it still is as it was.
+  /// OK if a principal that was found before is still valid and unchanged; else the reason.
   [[nodiscard]] Status Check(const Principal& principal, std::int64_t now_s) const;
 
  private:

@@ -10,9 +10,9 @@
 
 namespace dhpmap::auth {
 
-/// Fills it with what nobody can guess. Passed in, so that tests know it.
+/// Fills the bytes with unpredictable values. Injected, so that tests know them.
 using Randomness = std::function<void(std::span<unsigned char>)>;
-/// The system's. Ends the process if there is none: there is nothing to go on with.
+/// The system's random source. Ends the process if that fails, because no secret can be made without it.
 Randomness SystemRandomness();
 
 /// 2 hexadecimal digits a byte, lower case.
@@ -22,19 +22,19 @@ std::string HexOf(std::span<const unsigned char> bytes);
 using Digest = std::array<unsigned char, 32>;
 Digest DigestOf(std::string_view text);
 std::optional<Digest> DigestFromHex(std::string_view hex);
-/// In a time that does not depend on where they differ.
+/// In constant time, wherever they differ.
 bool AreSame(const Digest& a, const Digest& b);
 
-/// A key as its owner has it: dhp_<id>_<256 random bits>_<crc32>, all hexadecimal. The sum tells a slip of the pen from
-/// a wrong key, and scanners of repositories what is no key.
+/// A key in its owner's form: dhp_<id>_<256 random bits>_<crc32>, all hexadecimal. The checksum tells a typing error
+/// from a wrong key, and lets scanners of repositories recognise keys.
 struct KeyText {
   std::string_view id;      ///< 12 digits
-  std::string_view secret;  ///< all but the sum: what is digested
+  std::string_view secret;  ///< all but the checksum: the part that is hashed
 };
 inline constexpr std::size_t kKeyIdDigits = 12, kKeyTextBytes = 90;
 
 std::string MakeKeyText(const Randomness& randomness);
-/// Nothing if it is none. Views into `text`.
+/// Nothing if the text is not a key. Views into `text`.
 std::optional<KeyText> ParseKeyText(std::string_view text);
 
 }  // namespace dhpmap::auth

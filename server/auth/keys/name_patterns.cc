@@ -7,8 +7,8 @@
 namespace dhpmap::auth {
 namespace {
 
-/// Whether `pattern` is `name`, with any text in place of each '*'. Goes back to the last '*' alone, so that it takes
-/// at most the product of both lengths.
+/// Whether `name` matches `pattern`, in which each '*' stands for any text. Backtracks to the last '*' only, so the
+/// cost is at most the product of both lengths.
 bool IsLike(std::string_view pattern, std::string_view name) {
   std::size_t p = 0, n = 0, after_star = std::string_view::npos, star_end = 0;
   while (n < name.size()) {

@@ -9,8 +9,8 @@
 
 namespace dhpmap::auth {
 
-/// Which names a key is for: those that match a pattern, and none that begins with "!". In a pattern '*' is any text.
-/// Immutable but for assignment.
+/// The names that a key is valid for: those that match a pattern, except those that match a pattern with "!". In a
+/// pattern '*' matches any text. Immutable except for assignment.
 class NamePatterns {
  public:
   static constexpr std::size_t kMostPatterns = 64, kMostBytes = 256;
@@ -19,11 +19,12 @@ class NamePatterns {
   NamePatterns() = default;
   /// Matches every name.
   static NamePatterns All();
-  /// INVALID_ARGUMENT, reason BAD_KEY, for none, too many, too long ones, or others than letters, digits and ". _ - *".
+  /// INVALID_ARGUMENT, reason BAD_KEY, for no pattern, too many or too long ones, or other characters than letters,
+  /// digits and ". _ - *".
   static Result<NamePatterns> Make(std::vector<std::string> texts);
 
   [[nodiscard]] bool Match(std::string_view name) const;
-  /// Nothing is left out, whatever its name: one pattern is "*", and none begins with "!".
+  /// Whether every name matches: one pattern is "*", and none begins with "!".
   [[nodiscard]] bool match_all() const;
   [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
 

@@ -10,13 +10,13 @@
 
 namespace dhpmap::auth {
 
-/// Never: of a key that does not expire.
+/// Expiry time of a key that never expires.
 inline constexpr std::int64_t kNever_s = INT64_MAX;
 
-/// Who asks. Immutable once it is shared.
+/// An authenticated caller. Immutable once it is shared.
 struct Principal {
   std::string name = {};    ///< edits are logged under it
-  std::string key_id = {};  ///< empty: keys are off
+  std::string key_id = {};  ///< empty: the server runs without keys
   Role role = Role::kViewer;
   NamePatterns maps = {};
   NamePatterns sessions = {};

@@ -7,7 +7,7 @@
 
 namespace dhpmap::auth {
 
-/// What a key is for. docs/security.md says what each may do.
+/// The role of a key. docs/security.md lists what each role may do.
 enum class Role { kViewer, kEditor, kRobot, kAdmin };
 
 inline constexpr std::array kRoles = {Role::kViewer, Role::kEditor, Role::kRobot, Role::kAdmin};

@@ -13,7 +13,7 @@
 
 namespace dhpmap::client {
 
-/// One answer to each thing that was asked, in their order, all of one state of the map.
+/// One answer for each question, in their order, all from one state of the map.
 template <typename T>
 struct Answers {
   std::int64_t revision = 0;  ///< of the map
@@ -25,98 +25,98 @@ struct Answers {
   [[nodiscard]] auto end() const { return results.end(); }
 };
 
-/// How far a point is from the nearest surface.
+/// The distance from a point to the nearest surface.
 struct Distance {
-  bool is_known = false;        ///< false: nobody has seen the point; the rest is about what is known
-  bool is_clamped = false;      ///< no surface within max_distance_m, which distance_m then is
+  bool is_known = false;        ///< false: the point is unobserved; the other fields refer to observed space
+  bool is_clamped = false;      ///< no surface within max_distance_m, which is then distance_m
   double distance_m = 0;        ///< below 0 behind a surface
   Vector3 gradient;             ///< unit; 0 if clamped
   Vector3 nearest_point_m;      ///< on the surface; NaN if clamped
-  std::int64_t object_id = -1;  ///< whose surface; 0: an unknown object, -1: clamped
-  std::int32_t class_id = -1;   ///< -1: it has no class
+  std::int64_t object_id = -1;  ///< object of the surface; 0: an unknown object, -1: clamped
+  std::int32_t class_id = -1;   ///< -1: no class
 };
 
-/// What is at a point. Neither near a surface nor free: nobody has seen it.
+/// The state of a point. Neither near a surface nor free means unobserved.
 struct PointState {
   bool is_near_surface = false;
-  bool is_free = false;        ///< sensors have looked through
-  std::int64_t object_id = 0;  ///< near a surface: whose; 0: an unknown object
-  std::int32_t class_id = -1;  ///< -1: it has no class
-  double tsdf_m = 0;           ///< truncated signed distance of its voxel; NaN where none was observed
+  bool is_free = false;        ///< sensors have looked through it
+  std::int64_t object_id = 0;  ///< near a surface: its object; 0: an unknown object
+  std::int32_t class_id = -1;  ///< -1: no class
+  double tsdf_m = 0;           ///< truncated signed distance of its voxel; NaN if unobserved
   double weight = 0;
   std::array<std::uint8_t, 3> rgb{};
   double class_confidence = 0, instance_confidence = 0;
 };
 
-/// What a ray meets first.
+/// The first hit of a ray.
 struct RayHit {
-  bool is_hit = false;          ///< it meets a surface within max_distance_m
-  bool is_known = false;        ///< false: before that it enters what nobody has seen
-  double distance_m = 0;        ///< to the surface; none: max_distance_m
-  double free_m = 0;            ///< so far until it meets something or enters the unseen
-  Vector3 point_m, normal;      ///< the normal is unit, to the surface's front; none: NaN
-  std::int64_t object_id = -1;  ///< -1: nothing is met
-  std::int32_t class_id = -1;   ///< -1: it has no class
+  bool is_hit = false;          ///< it hits a surface within max_distance_m
+  bool is_known = false;        ///< false: it enters unobserved space before
+  double distance_m = 0;        ///< to the surface; max_distance_m if none
+  double free_m = 0;            ///< length until it hits something or enters unobserved space
+  Vector3 point_m, normal;      ///< the normal is unit and points to the surface's front; NaN if none
+  std::int64_t object_id = -1;  ///< -1: no hit
+  std::int32_t class_id = -1;   ///< -1: no class
 };
 
-/// Whether a ball touches anything.
+/// Whether a sphere collides.
 struct Collision {
   bool is_colliding = false;
-  bool is_known = false;        ///< false: it touches no surface, but is where nobody has seen
+  bool is_known = false;        ///< false: it touches no surface, but is partly in unobserved space
   double depth_m = 0;           ///< of the deepest contact
-  Vector3 point_m, normal;      ///< touches nothing: point_m is NaN
-  std::int64_t object_id = -1;  ///< -1: touches nothing, or in unseen space
-  std::int32_t class_id = -1;   ///< -1: it has no class
+  Vector3 point_m, normal;      ///< point_m is NaN without a contact
+  std::int64_t object_id = -1;  ///< -1: no contact, or in unobserved space
+  std::int32_t class_id = -1;   ///< -1: no class
 };
 
-/// Where something touches a surface, or is where nobody has seen.
+/// A contact with a surface or with unobserved space.
 struct Contact {
   Ref object;
-  double depth_m = 0;  ///< so far along the normal until it ends
-  Vector3 point_m;     ///< on the surface; in unseen space the middle of a voxel
-  Vector3 normal;      ///< out of the surface, unit; in unseen space 0
+  double depth_m = 0;  ///< motion along the normal that resolves the contact
+  Vector3 point_m;     ///< on the surface; in unobserved space the centre of a voxel
+  Vector3 normal;      ///< unit, out of the surface; 0 in unobserved space
 };
 
 struct BodyCheck {
   bool is_colliding = false;
-  bool is_known = false;          ///< false: it touches no surface, but is where nobody has seen
+  bool is_known = false;          ///< false: it touches no surface, but is partly in unobserved space
   std::vector<Contact> contacts;  ///< the deepest first
 };
 
-/// A place on a path.
+/// A position on a path.
 struct PathPlace {
-  int waypoint = 0;     ///< after this one,
-  double fraction = 0;  ///< at this share of the way to the next
-  int sphere = -1;      ///< which one of the robot; -1: what it carries
+  int waypoint = 0;     ///< the last waypoint before it
+  double fraction = 0;  ///< share of the way from there to the next waypoint
+  int sphere = -1;      ///< index of the robot's sphere; -1: an attached object
 };
 
 struct PathContact {
   PathPlace place;
-  std::optional<Ref> attached;  ///< which of what it carries
+  std::optional<Ref> attached;  ///< the attached object, if any
   Contact contact;
 };
 
-/// Where a path is nearest to a surface that the robot must not touch.
+/// The position at which a path is nearest to a surface that the robot must not touch.
 struct Clearance {
-  double distance_m = 0;  ///< from the robot's surface, padding taken off; below 0: so deep
+  double distance_m = 0;  ///< from the robot's surface, after padding; below 0: penetration
   PathPlace place;
   Ref object;
   Vector3 point_m;  ///< on the surface
 };
 
-/// Whether a robot can go along a path.
+/// Whether a robot can follow a path.
 struct PathCheck {
-  bool ok = false;                     ///< it touches nothing on all its way
-  bool is_known = false;               ///< false: before it touches a surface it goes where nobody has seen
-  std::vector<PathContact> contacts;   ///< the first; all, if asked for
-  std::optional<Clearance> clearance;  ///< if asked for, and there is a surface within max_distance_m
+  bool ok = false;                     ///< no contact on the whole path
+  bool is_known = false;               ///< false: it enters unobserved space before it touches a surface
+  std::vector<PathContact> contacts;   ///< the first one; all if requested
+  std::optional<Clearance> clearance;  ///< if requested, and there is a surface within max_distance_m
 };
 
 /// A rigid robot: spheres in its own frame.
 struct Spheres {
   std::vector<Sphere> spheres_m;
-  std::vector<ObjectOrClass> may_touch;  ///< by all of it
-  std::vector<std::string> links = {};   ///< a name a sphere, for MayTouch::link; or none
+  std::vector<ObjectOrClass> may_touch;  ///< allowed contacts of the whole robot
+  std::vector<std::string> links = {};   ///< a name for each sphere, for MayTouch::link; or empty
 };
 
 }  // namespace dhpmap::client

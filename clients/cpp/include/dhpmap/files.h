@@ -13,18 +13,18 @@
 
 namespace dhpmap::client {
 
-/// A file that comes in parts, on the calling thread.
+/// A part of a file, passed to a callback on the calling thread.
 struct FilePart {
   std::string_view data;         ///< valid during the call
   std::int64_t total_bytes = 0;  ///< of the whole file
 };
-/// Takes the next part; false: no more are wanted, and the call is Cancelled.
+/// Receives the next part; false cancels the call, which returns Cancelled.
 using TakePart = std::function<bool(const FilePart& part)>;
 
-/// A file that came as a whole.
+/// A complete file.
 struct FileInfo {
   std::int64_t num_bytes = 0;
-  std::int64_t revision = 0;  ///< that it shows; of files of maps 0
+  std::int64_t revision = 0;  ///< revision of its content; 0 for files of maps
   std::string etag;           ///< of GLB: equal for equal files
 };
 
@@ -33,26 +33,26 @@ struct MeshOptions {
   enum class Coloring { kSensor, kByClass, kByObject };
 
   Format format = Format::kPly;
-  std::optional<std::int64_t> object;  ///< only this one; of kGlb in its own frame
+  std::optional<std::int64_t> object;  ///< only this object; kGlb uses its own frame
   Coloring coloring = Coloring::kSensor;
-  std::int64_t revision = 0;  ///< as it was then; 0: as it is
+  std::int64_t revision = 0;  ///< a past revision; 0: the current state
   double deadline_s = 600;
 };
 
-/// The voxels of an object, a column each, all of one length. A value.
+/// The voxels of an object, as columns of equal length. A value.
 struct Voxels {
   std::int64_t revision = 0;
-  std::vector<Vector3> center_m;  ///< in the map's frame
-  std::vector<float> tsdf_m;      ///< distance along the rays of sensors, negative behind the surface
+  std::vector<Vector3> center_m;  ///< in the map frame
+  std::vector<float> tsdf_m;      ///< distance along sensor rays, negative behind the surface
   std::vector<float> weight;
   std::vector<std::array<std::uint8_t, 3>> rgb;
-  std::vector<std::int32_t> class_id;   ///< the most frequent one; -1: none
-  std::vector<float> class_confidence;  ///< share of the observations that said so
+  std::vector<std::int32_t> class_id;   ///< the most frequent class; -1: none
+  std::vector<float> class_confidence;  ///< share of the observations with this class
 };
 
 struct VoxelOptions {
-  double max_abs_tsdf_m = 0;  ///< only voxels so near the surface; 0: all that were observed
-  std::int64_t revision = 0;  ///< as it was then; 0: as it is
+  double max_abs_tsdf_m = 0;  ///< maximum distance from the surface; 0: all observed voxels
+  std::int64_t revision = 0;  ///< a past revision; 0: the current state
   double deadline_s = 600;
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <variant>
 
-// Lengths are metres, angles radians; frames are right-handed, with z up. All are values.
+// Lengths are in metres, angles in radians; frames are right-handed, with z up. All types are values.
 
 namespace dhpmap::client {
 
@@ -15,14 +15,14 @@ struct Vector3 {
   friend bool operator==(const Vector3&, const Vector3&) = default;
 };
 
-/// A rigid transform. Called `T_a_b` it takes points of frame b to frame a.
+/// A rigid transform: `T_a_b` maps points from frame b to frame a.
 struct Pose {
   Vector3 translation_m;
-  std::array<double, 4> rotation_xyzw = {0, 0, 0, 1};  ///< a quaternion; its norm does not matter
+  std::array<double, 4> rotation_xyzw = {0, 0, 0, 1};  ///< a quaternion; need not be normalised
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
-/// At a place, turned about z, counterclockwise from above.
+/// A pose with a rotation about z, counterclockwise seen from above.
 inline Pose PoseAt(const Vector3& translation_m, double yaw_rad = 0) {
   return {translation_m, {0, 0, std::sin(yaw_rad / 2), std::cos(yaw_rad / 2)}};
 }
@@ -32,18 +32,18 @@ struct Sphere {
   double radius_m = 0;
 };
 
-/// Along the axes of the frame it is in.
+/// Aligned with the axes of its frame.
 struct Box {
   Vector3 min_m, max_m;
 };
 
-/// Around the origin of its own frame.
+/// Centred at the origin of its own frame.
 struct OrientedBox {
   Pose T_map_box;
-  Vector3 size_m;  ///< from side to side
+  Vector3 size_m;  ///< full extents
 };
 
-/// All that is within radius_m of the segment from a to b.
+/// All points within radius_m of the segment from a to b.
 struct Capsule {
   Vector3 a_m, b_m;
   double radius_m = 0;

@@ -8,24 +8,24 @@
 
 namespace dhpmap::client {
 
-/// An edit of a map's log; objects by their ids. A value.
+/// An edit of a map's log; objects are given by ids. A value.
 struct LoggedEdit {
   enum class Kind { kEdit, kUndo, kRedo };
 
-  std::int64_t revision = 0;  ///< of the state that it made
+  std::int64_t revision = 0;  ///< of the state that it created
   std::chrono::system_clock::time_point time;
   std::string author;
   Kind kind = Kind::kEdit;
-  std::vector<std::string> actions;   ///< of kEdit, such as "MOVE", in their order
-  std::vector<std::int64_t> targets;  ///< of kUndo and kRedo: the edits, by their revisions
+  std::vector<std::string> actions;   ///< of kEdit, such as "MOVE", in order
+  std::vector<std::int64_t> targets;  ///< of kUndo and kRedo: the revisions of the edits
   std::vector<std::int64_t> changed, created, removed;
-  bool is_undone = false;      ///< and not done again since
-  bool is_reversible = false;  ///< what it takes to undo it is kept
+  bool is_undone = false;      ///< undone, and not redone since
+  bool is_reversible = false;  ///< the data for undoing it are kept
 };
 
 struct LogOptions {
-  std::string author;  ///< only edits of this one; empty: of all
-  int limit = 100;     ///< edits at most
+  std::string author;  ///< only edits of this author; empty: all
+  int limit = 100;     ///< maximum number of edits
 };
 
 }  // namespace dhpmap::client

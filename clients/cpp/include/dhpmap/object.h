@@ -19,40 +19,40 @@ using ObjectOrClass = std::variant<std::int64_t, std::string>;
 /// Whether an object is countable (a thing), or the background of one class (stuff).
 enum class Kind { kUnknown, kThing, kStuff };
 
-/// Which object an answer means.
+/// The object that an answer refers to.
 struct Ref {
-  std::int64_t id = -1;  ///< 0: an unknown object; -1: none, or space that nobody has seen
+  std::int64_t id = -1;  ///< 0: an unknown object; -1: none, or unobserved space
   std::string class_name;
 };
 
-/// An object as it was at one revision; lengths in metres, in the map's frame. A value.
+/// An object at one revision; lengths in metres, in the map frame. A value.
 struct Object {
   std::int64_t id = 0;  ///< never reused; 0 holds the geometry of unknown objects
-  std::string name;     ///< for people; follows the class until somebody sets it
+  std::string name;     ///< display name; follows the class until it is set
   Kind kind = Kind::kUnknown;
   std::string class_name;
-  std::int32_t class_id = -1;  ///< -1: it has no class
-  /// The smallest upright box around its surface, turned about z; none while it has no surface.
+  std::int32_t class_id = -1;  ///< -1: no class
+  /// The smallest upright box around its surface, rotated about z; none without a surface.
   std::optional<OrientedBox> box;
   Pose T_map_object;
   std::vector<std::array<double, 2>> footprint_m;  ///< its convex outline from above, counterclockwise
   std::optional<double> support_height_m;          ///< z of its upper side, where things may stand
   std::optional<Sphere> bounding_sphere;           ///< around its voxels
-  double class_confidence = 0;                     ///< share of its observations that said this class
+  double class_confidence = 0;                     ///< share of its observations with this class
   double instance_confidence = 0;                  ///< share of its observations that are its own
-  bool is_present = true;       ///< false: sensors have looked through most of it, so queries leave it out
-  bool is_active = false;       ///< takes new observations; false: settled
-  bool is_confirmed = false;    ///< seen again after it was new
-  bool is_locked = false;       ///< mapping leaves it alone
-  std::int64_t num_frames = 0;  ///< that showed it
-  std::optional<std::int64_t> first_seen_ns, last_seen_ns;  ///< stamps of the sensor's clock; none: it was never seen
-  std::int64_t revision = 0;                                ///< that last changed it
+  bool is_present = true;       ///< false: absent, because sensors looked through most of it; queries leave it out
+  bool is_active = false;       ///< receives new observations; false: inactive
+  bool is_confirmed = false;    ///< seen again after its creation
+  bool is_locked = false;       ///< mapping does not change it
+  std::int64_t num_frames = 0;  ///< frames that observed it
+  std::optional<std::int64_t> first_seen_ns, last_seen_ns;  ///< by the sensor's clock; none: never seen
+  std::int64_t revision = 0;                                ///< of its last change
   std::string etag;
 
-  // Of a search with `near_m`: from there to its surface, and where that is. Else NaN.
+  // In a search with `near_m`: the distance to its surface, and the nearest point. Else NaN.
   double distance_m = std::numeric_limits<double>::quiet_NaN();
   Vector3 nearest_point_m{distance_m, distance_m, distance_m};
-  std::optional<Box> bounds;  ///< of a search: around its surface, in the frame that was asked in
+  std::optional<Box> bounds;  ///< in a search: around its surface, in the frame of the query
 };
 
 }  // namespace dhpmap::client

@@ -15,58 +15,58 @@
 
 namespace dhpmap::client {
 
-class Source;  // inner: where queries go
+class Source;  // internal: the transport of queries
 
-/// Which objects to look for: those that pass all that is given, by their surfaces.
+/// Conditions of a search: objects whose surface satisfies all of them.
 struct FindOptions {
-  std::optional<Vector3> near_m;  ///< the nearest first, up to query.max_distance_m if that is given; else by id
+  std::optional<Vector3> near_m;  ///< sorts by distance, up to query.max_distance_m if given; else by id
   std::optional<Region> within;
   std::string name;  ///< a part of the display name
-  int limit = 100;   ///< objects at most
+  int limit = 100;   ///< maximum number of objects
   QueryOptions query;
 };
 
-/// What can be asked of a map. Each answer is of one state of the map, and says which; more than a million points go in
-/// several calls, all of that state. Errors: InvalidArgument for what cannot be asked so, NotFound for an object or map
-/// that is not there, OutOfRange for a revision that is not kept, Unavailable, DeadlineExceeded.
-/// Safe for use from several threads, unless a class that has it says otherwise.
+/// Queries of a map. Each answer is from one state of the map and names its revision. More than a million points are
+/// sent in several calls on the same state. Errors: InvalidArgument for invalid arguments, NotFound for a missing
+/// object or map, OutOfRange for a revision that is not kept, Unavailable, DeadlineExceeded. Thread-safe, unless a
+/// derived class says otherwise.
 class Queries {
  public:
   virtual ~Queries();
   Queries(const Queries&) = default;
   Queries& operator=(const Queries&) = default;
 
-  /// How far is the nearest surface of each point, which way, and whose is it?
+  /// The distance and direction of the nearest surface of each point, and its object.
   Result<Answers<Distance>> Distances(std::span<const Vector3> points_m, const QueryOptions& options = {}) const;
-  /// What is at each point? Of the options it takes T_map_query and min_revision.
+  /// The state of each point. Supports only the options T_map_query and min_revision.
   Result<Answers<PointState>> Points(std::span<const Vector3> points_m, const QueryOptions& options = {}) const;
-  /// What does each ray meet first?
+  /// The first hit of each ray.
   Result<Answers<RayHit>> CastRays(std::span<const Ray> rays, const QueryOptions& options = {}) const;
-  /// Does each ball touch anything? Unseen space is in the way.
+  /// Whether each sphere collides. Unobserved space blocks.
   Result<Answers<Collision>> Collisions(std::span<const Sphere> spheres_m, const QueryOptions& options = {}) const;
-  /// The same of balls, boxes and capsules, with their contacts.
+  /// The same for spheres, boxes and capsules, with their contacts.
   Result<Answers<BodyCheck>> CheckBodies(std::span<const Body> bodies, const QueryOptions& options = {},
                                          const CheckOptions& check = {}) const;
 
-  /// Can the robot go through these poses T_map_robot, evenly from each to the next, without touching anything? What is
-  /// between them counts, too. Unseen space is in the way, unless options.unknown is kFree.
+  /// Whether the robot can move through these poses T_map_robot, interpolated from each to the next, without contact.
+  /// Motions between poses are checked, too. Unobserved space blocks, unless options.unknown is kFree.
   Result<PathCheck> CheckPath(const Spheres& robot, std::span<const Pose> waypoints, const QueryOptions& options = {},
                               const CheckOptions& check = {}) const;
-  /// The same of several paths.
+  /// The same for several paths.
   Result<Answers<PathCheck>> CheckPaths(const Spheres& robot, std::span<const std::vector<Pose>> paths,
                                         const QueryOptions& options = {}, const CheckOptions& check = {}) const;
-  /// Can the robot be at these poses T_map_robot, each by itself?
+  /// Whether the robot can be at each of these poses T_map_robot.
   Result<Answers<PathCheck>> CheckPoses(const Spheres& robot, std::span<const Pose> poses,
                                         const QueryOptions& options = {}, const CheckOptions& check = {}) const;
 
-  /// Objects of a class; "": of any. InvalidArgument for a class that the map does not know.
+  /// Objects of a class; "": of all classes. InvalidArgument for a class that the map does not have.
   Result<std::vector<Object>> Find(std::string_view class_name, const FindOptions& options = {}) const;
 
-  /// What is occupied and free between two heights? A map for a robot that drives.
+  /// Occupied and free space in a height band: a map for a driving robot.
   Result<client::Slice> Slice(const SliceOptions& options = {}) const;
-  /// The distances at the nodes of a grid that fills a box, every resolution_m (0.001 to 100) from its least corner on.
+  /// Distances at the nodes of a grid in a box, with spacing resolution_m (0.001 to 100) from its minimum corner.
   Result<DistanceGrid> Grid(const Box& box, double resolution_m, const QueryOptions& options = {}) const;
-  /// What is on, in and next to what, by subject, object and kind.
+  /// Which objects are on, in and next to which, sorted by subject, object and kind.
   Result<std::vector<Relation>> Relations(const RelationOptions& options = {}) const;
 
  protected:
@@ -77,9 +77,9 @@ class Queries {
   std::shared_ptr<Source> source_;
 };
 
-/// A map as it was at one revision. Those that Map::Pin makes hold the state for 10 s at a time, and after that as long
-/// as the server keeps it: then OutOfRange, reason REVISION_NOT_KEPT.
-/// Safe for use from several threads, which take turns.
+/// A map at one revision. Map::Pin makes the server hold the state for 10 s, renewed by queries; after that the state
+/// is available as long as the server keeps it: then OutOfRange, reason REVISION_NOT_KEPT. Thread-safe; threads take
+/// turns.
 class Pinned final : public Queries {
  public:
   [[nodiscard]] std::int64_t revision() const { return revision_; }
@@ -91,14 +91,14 @@ class Pinned final : public Queries {
   std::int64_t revision_;
 };
 
-/// Queries on one stream, for control loops: less to do a query than by calls of Map. Goes on over a new connection
-/// when one is lost, pinned as before. For one thread at a time.
+/// Queries on one stream, for control loops: less overhead than calls of Map. Reconnects after a lost connection, and
+/// pins again. For one thread at a time.
 class Loop final : public Queries {
  public:
-  /// From here on queries are of the present state, or of a past revision: for 10 s at most, then FailedPrecondition
-  /// until the next pin. The revision.
+  /// Pins the current state, or a past revision, for later queries: for 10 s at most, then FailedPrecondition until the
+  /// next pin. Returns the revision.
   Result<std::int64_t> Pin(std::int64_t revision = 0);
-  /// Queries are of the present again.
+  /// Later queries use the current state again.
   Status Unpin();
 
  private:

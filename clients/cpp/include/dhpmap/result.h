@@ -9,7 +9,7 @@
 
 namespace dhpmap::client {
 
-/// What Result::value throws where there is none.
+/// Thrown by Result::value on an error.
 class BadResult : public std::runtime_error {
  public:
   explicit BadResult(Status status) : std::runtime_error(status.ToString()), status_(std::move(status)) {}
@@ -19,7 +19,7 @@ class BadResult : public std::runtime_error {
   Status status_;
 };
 
-/// A T, or the Status that says why there is none. A value itself.
+/// A T, or the Status of the failure. A value.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -33,14 +33,14 @@ class [[nodiscard]] Result {
   /// OK if there is a value.
   [[nodiscard]] const Status& status() const { return status_; }
 
-  // These require ok().
+  // Require ok().
   T& operator*() & { return *value_; }
   const T& operator*() const& { return *value_; }
-  T operator*() && { return *std::move(value_); }  // no reference: `for (x : *Find())` keeps it
+  T operator*() && { return *std::move(value_); }  // by value: safe in `for (x : *Find())`
   T* operator->() { return &*value_; }
   const T* operator->() const { return &*value_; }
 
-  /// Throws BadResult if there is none, as nothing else in this library does.
+  /// Throws BadResult on an error; the only function in this library that throws.
   T& value() & { return Checked(), *value_; }
   const T& value() const& { return Checked(), *value_; }
   T value() && { return Checked(), *std::move(value_); }

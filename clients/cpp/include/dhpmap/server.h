@@ -8,25 +8,25 @@
 
 namespace dhpmap::client {
 
-/// A stream of frames that goes into a map.
+/// A stream of frames into a map.
 struct ActiveFeed {
-  std::string map, session;                      ///< session: empty for streams that name none
+  std::string map, session;                      ///< session: empty for streams without one
   double silent_s = 0;                           ///< since its last message
-  std::int64_t num_frames = 0, num_refused = 0;  ///< fused, and refused, since the map was opened
+  std::int64_t num_frames = 0, num_refused = 0;  ///< fused and refused, since the map was opened
   double frames_per_s = 0;                       ///< over the last 10 s
 };
 
-/// How a server is.
+/// The status of a server.
 struct ServerStatus {
   using Time = std::chrono::system_clock::time_point;
 
   std::string version;
-  bool is_ready = false;  ///< as its /readyz says
-  Time time, start_time;  ///< by its clock: as it answered, and as it began
+  bool is_ready = false;  ///< as /readyz reports
+  Time time, start_time;  ///< by its clock: time of the answer, and of its start
   std::int64_t database_bytes = 0;
-  std::int64_t disk_free_bytes = -1, disk_total_bytes = -1;  ///< where the database is; -1: not known
-  double behind_s = 0;                                       ///< age of the oldest frame that is fused and not stored
-  double max_behind_s = 0;                                   ///< beyond it frames are refused
+  std::int64_t disk_free_bytes = -1, disk_total_bytes = -1;  ///< of the database's disk; -1: unknown
+  double behind_s = 0;                                       ///< age of the oldest fused frame that is not stored
+  double max_behind_s = 0;                                   ///< above it frames are refused
   std::vector<ActiveFeed> feeds;
 };
 

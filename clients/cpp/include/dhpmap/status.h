@@ -33,19 +33,19 @@ enum class StatusCode : int {
 /// "NOT_FOUND".
 std::string_view StatusCodeName(StatusCode code);
 
-/// A field of a request that is wrong, by its dotted path.
+/// A wrong field of a request, by its dotted path.
 struct FieldViolation {
   std::string field;
   std::string description;
 };
 
-/// How a call went: OK, or why not. The only error type of this library. A value.
+/// The result of a call: OK or an error. The only error type of this library. A value.
 struct [[nodiscard]] Status {
   StatusCode code = StatusCode::kOk;
   std::string message;                          ///< for people
   std::string reason;                           ///< for programs, such as "MAP_NOT_FOUND"; may be empty
-  std::vector<FieldViolation> violations;       ///< of InvalidArgument: every field that is wrong
-  std::map<std::string, std::string> metadata;  ///< what the reason means here, such as {"merged_into", ...}
+  std::vector<FieldViolation> violations;       ///< for InvalidArgument: every wrong field
+  std::map<std::string, std::string> metadata;  ///< details of the reason, such as {"merged_into", ...}
 
   [[nodiscard]] bool ok() const { return code == StatusCode::kOk; }
   /// "INVALID_ARGUMENT: message (REASON)".

@@ -11,7 +11,7 @@ namespace {
 
 namespace ob = ompl::base;
 
-constexpr double kShortOfContact = 0.01;  // of the way
+constexpr double kShortOfContact = 0.01;  // share of the motion
 
 }  // namespace
 

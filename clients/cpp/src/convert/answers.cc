@@ -11,7 +11,7 @@
 namespace dhpmap::client {
 namespace {
 
-/// OK if the columns have `count` rows each: the sizes are given with how many numbers a row has.
+/// OK if each column has `count` rows. `sizes`: pairs of a column's size and its numbers per row.
 Status CheckRows(std::size_t count, std::initializer_list<std::pair<std::size_t, std::size_t>> sizes) {
   for (const auto& [size, per_row] : sizes) {
     if (size != count * per_row) {

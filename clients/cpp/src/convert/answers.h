@@ -9,17 +9,17 @@
 #include "dhpmap/v1/collision.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
 
-// Packed in, columns out. What comes is looked at before it is read: columns of other lengths are Internal.
+// Packs questions and unpacks columns of answers. Columns of wrong length are Internal errors, found before reading.
 
 namespace dhpmap::client {
 
 using Floats = google::protobuf::RepeatedField<float>;
 
-/// x, y, z of each.
+/// Appends x, y, z of each; of spheres the radius, too.
 void Pack(std::span<const Vector3> points, Floats& packed);
 void Pack(std::span<const Sphere> spheres_m, Floats& packed);
 
-/// Appends the answers to so many questions.
+/// Appends the answers to `count` questions.
 Status Append(const v1::PackedDistanceResults& packed, std::size_t count, std::vector<Distance>& out);
 Status Append(const v1::PackedPointResults& packed, std::size_t count, std::vector<PointState>& out);
 Status Append(const v1::PackedRayResults& packed, std::size_t count, std::vector<RayHit>& out);

@@ -18,7 +18,7 @@ Change::Kind KindOf(v1::SubmapEvent::Kind kind) {
   }
 }
 
-/// None for a part of a newer server.
+/// Empty for a part that only newer servers know.
 std::optional<Change::Part> PartOf(int part) {
   switch (part) {
     case v1::SubmapEvent::POSE: return Change::Part::kPose;

@@ -11,7 +11,7 @@
 
 namespace dhpmap::client {
 
-/// The numbers at the ends of names.
+/// The ids at the ends of names.
 inline std::vector<std::int64_t> IdsOf(const google::protobuf::RepeatedPtrField<std::string>& names) {
   std::vector<std::int64_t> ids;
   for (const std::string& name : names) ids.push_back(IdOfName(name));
@@ -23,7 +23,7 @@ inline EditResult FromProto(const v1::EditResult& result) {
           result.num_voxels()};
 }
 
-/// Of UndoEditsResponse and RedoEditsResponse.
+/// For UndoEditsResponse and RedoEditsResponse.
 template <typename Response>
 Undone UndoneOf(const Response& response) {
   return {response.revision(), IdsOf(response.edits()), IdsOf(response.changed_submaps()),

@@ -17,8 +17,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "images are sent as they are in memory");
 
-constexpr double kMostMetres = 200;     // a median depth beyond it is likely in millimetres
-constexpr double kLeastOffEdge = 0.15;  // of the image's size: a principal point nearer to an edge is of another size
+constexpr double kMostMetres = 200;     // a median depth above it is probably in millimetres
+constexpr double kLeastOffEdge = 0.15;  // of the image size: a principal point nearer to an edge is for another size
 constexpr std::size_t kSampleStep = 61;
 
 template <typename T>

@@ -10,11 +10,11 @@
 
 namespace dhpmap::client {
 
-/// InvalidArgument for intrinsics that cannot be those of the images.
+/// InvalidArgument for intrinsics that do not fit the image size.
 Status CheckCamera(const Camera& camera);
 
-/// A frame as it is sent. InvalidArgument for sizes that do not fit, a pose that is none, a depth in millimetres, and a
-/// stamp that is not after that of the frame before.
+/// Converts a frame. InvalidArgument for mismatched sizes, an invalid pose, a depth in millimetres, and a stamp that is
+/// not after that of the previous frame.
 Result<v1::Frame> ToProto(const RgbdFrame& frame, const Camera& camera, std::optional<std::int64_t> last_stamp_ns);
 Result<v1::Frame> ToProto(const LidarFrame& frame, std::optional<std::int64_t> last_stamp_ns);
 

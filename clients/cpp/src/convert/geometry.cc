@@ -70,7 +70,7 @@ Box FromProto(const v1::AxisAlignedBox& box) { return {FromProto(box.min_m()), F
 std::string SubmapName(const std::string& map, std::int64_t id) { return map + "/submaps/" + std::to_string(id); }
 
 std::int64_t IdOfName(const std::string& name) {
-  const std::size_t begin = name.rfind('/') + 1;  // 0 if there is none
+  const std::size_t begin = name.rfind('/') + 1;  // 0 if there is no slash
   std::int64_t id = -1;
   std::from_chars(name.data() + begin, name.data() + name.size(), id);
   return id;

@@ -21,7 +21,7 @@ Pose FromProto(const v1::Pose& pose);
 Sphere FromProto(const v1::Sphere& sphere);
 Box FromProto(const v1::AxisAlignedBox& box);
 
-/// Of a message that has `box` and `sphere`.
+/// Sets the region of a message that has `box` and `sphere`.
 template <typename Message>
 void SetRegion(const Region& region, Message& message) {
   if (const Box* box = std::get_if<Box>(&region)) *message.mutable_box() = ToProto(*box);
@@ -30,7 +30,7 @@ void SetRegion(const Region& region, Message& message) {
 
 /// maps/{map}/submaps/{id}.
 std::string SubmapName(const std::string& map, std::int64_t id);
-/// The number after the last slash; -1: there is none.
+/// The number after the last slash; -1 if there is none.
 std::int64_t IdOfName(const std::string& name);
 
 }  // namespace dhpmap::client

@@ -9,7 +9,7 @@
 namespace dhpmap::client {
 
 Object FromProto(const v1::Submap& submap);
-/// With how far it is.
+/// Includes the distance of the match.
 Object FromProto(const v1::SubmapMatch& match);
 
 MapInfo FromProto(const v1::Map& map);

@@ -9,7 +9,7 @@
 
 namespace dhpmap::client {
 
-/// Of a query of `map`, maps/{map}; may_touch: also, by all of the robot.
+/// For a query of `map`, maps/{map}. `may_touch`: further allowed contacts of the whole robot.
 v1::QueryOptions ToProto(const QueryOptions& options, const std::string& map,
                          std::span<const ObjectOrClass> may_touch = {});
 

@@ -14,14 +14,14 @@
 
 namespace dhpmap::client {
 
-/// Where a state puts the robot: T_map_robot.
+/// The robot's pose T_map_robot in a state.
 using PoseOfState = std::function<Pose(const ompl::base::State*)>;
-/// Of a state of ompl::base::SE2StateSpace: at its x and y, z_m above the floor, turned by its yaw.
+/// For states of ompl::base::SE2StateSpace: at their x and y, z_m above the floor, rotated by their yaw.
 PoseOfState PoseOfSe2(double z_m = 0);
 
-/// A robot in a map, as planners ask about it. Meant for a Loop, pinned or not, or a Pinned; any Queries do. What
-/// fails, such as a lost server, counts as not valid, and is kept: look at status() when a planner has found nothing.
-/// Thread-safe where its Queries are, and a Loop takes planners of several threads, too: they take turns.
+/// A robot in a map, for planners. Intended for a Loop, pinned or not, or a Pinned; any Queries work. Failures, such as
+/// a lost server, count as invalid and are recorded: check status() if a planner finds nothing. Thread-safe if its
+/// Queries are; a Loop may serve planners of several threads, too, which take turns.
 class RobotWorld {
  public:
   RobotWorld(std::shared_ptr<const Queries> queries, Spheres robot, QueryOptions options, PoseOfState pose_of);
@@ -29,15 +29,16 @@ class RobotWorld {
   RobotWorld(const RobotWorld&) = delete;
   RobotWorld& operator=(const RobotWorld&) = delete;
 
-  /// Whether the robot can go from state to state; of one state, whether it can be there. ok is false after a failure.
+  /// Whether the robot can move from state to state; for one state, whether it can be there. ok is false after a
+  /// failure.
   [[nodiscard]] PathCheck Check(std::span<const ompl::base::State* const> states, const CheckOptions& check = {}) const;
-  /// The distance (m) from the robot's surface to the nearest that it must not touch, below 0 inside; at most
+  /// The distance (m) from the robot's surface to the nearest surface that it must not touch, below 0 inside; at most
   /// max_distance_m of the options (default 3). After a failure: minus infinity.
   [[nodiscard]] double Clearance_m(const ompl::base::State* state) const;
 
   /// OK, or the first failure.
   [[nodiscard]] Status status() const;
-  /// Ends a planner as soon as something fails. The world must outlive it.
+  /// A condition that ends a planner after the first failure. This must outlive it.
   [[nodiscard]] ompl::base::PlannerTerminationCondition EndsOnFailure() const;
 
  private:

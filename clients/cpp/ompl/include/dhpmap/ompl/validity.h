@@ -12,7 +12,7 @@
 
 namespace dhpmap::client {
 
-/// A state is valid where the robot touches nothing. One query a state.
+/// A state is valid if the robot touches nothing. One query per state.
 class StateValidity final : public ompl::base::StateValidityChecker {
  public:
   StateValidity(const ompl::base::SpaceInformationPtr& space, std::shared_ptr<const RobotWorld> world);
@@ -25,15 +25,15 @@ class StateValidity final : public ompl::base::StateValidityChecker {
   std::shared_ptr<const RobotWorld> world_;
 };
 
-/// A motion is valid if the robot touches nothing on all its way, whatever its length: nothing between samples is
-/// missed. One query a motion. Right for spaces in which the robot moves evenly between two states, turning about one
-/// axis, such as SE2 and SE3. The first state is looked at, too.
+/// A motion is valid if the robot touches nothing on the whole motion, of any length: it is checked continuously, not
+/// by samples. One query per motion. Correct for spaces in which the robot moves evenly between two states and rotates
+/// about one axis, such as SE2 and SE3. Checks the first state, too.
 class MotionValidity final : public ompl::base::MotionValidator {
  public:
   MotionValidity(const ompl::base::SpaceInformationPtr& space, std::shared_ptr<const RobotWorld> world);
 
   bool checkMotion(const ompl::base::State* from, const ompl::base::State* to) const override;
-  /// last_valid: the state just before the first contact, and its share of the way.
+  /// last_valid: the state just before the first contact, and its share of the motion.
   bool checkMotion(const ompl::base::State* from, const ompl::base::State* to,
                    std::pair<ompl::base::State*, double>& last_valid) const override;
 
@@ -43,8 +43,8 @@ class MotionValidity final : public ompl::base::MotionValidator {
   std::shared_ptr<const RobotWorld> world_;
 };
 
-/// Paths that keep wanted_m of clearance cost their length, others more: up to 1 + weight times where they touch. Two
-/// queries a motion.
+/// Paths with a clearance of at least wanted_m cost their length; others cost up to 1 + weight times as much, where
+/// they touch. Two queries per motion.
 class ClearanceObjective final : public ompl::base::StateCostIntegralObjective {
  public:
   ClearanceObjective(const ompl::base::SpaceInformationPtr& space, std::shared_ptr<const RobotWorld> world,
