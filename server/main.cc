@@ -93,6 +93,9 @@ Status Serve(const ServerConfig& config, const Service& service) {
       MapRegistry::Open(*store, OpenMapOptionsOf(config, metrics, records.get(), spill), RegistryOptionsOf(config)));
   for (const MapSummary& map : registry->List()) {
     if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
+    for (const std::string& setting : map.info.config.left_out) {
+      LogWarning("map '" + map.info.name + "' goes on without " + setting + ", which this version no longer has");
+    }
   }
   const auto inflight = InflightBudgetOf(config);
   DHPMAP_ASSIGN_OR_RETURN(const auto gate, GateOf(config));

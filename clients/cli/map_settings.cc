@@ -20,6 +20,7 @@ using google::protobuf::Message;
 void CollectKeys(const Descriptor& message, const std::string& prefix, std::vector<std::string>& keys) {
   for (int i = 0; i < message.field_count(); ++i) {
     const FieldDescriptor& field = *message.field(i);
+    if (field.options().deprecated()) continue;
     const std::string key = prefix + field.name();
     if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) CollectKeys(*field.message_type(), key + ".", keys);
     else keys.push_back(key);

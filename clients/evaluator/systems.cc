@@ -34,8 +34,6 @@ constexpr Entry kEntries[] = {
     {"panmap_whole_segments", "Panmap's recipe, with segments as they come",
      [](SystemSetup setup) { return MakePanmapOfWholeSegments(std::move(setup)); }},
     {"kimera", "Kimera's recipe: classes alone, without carving", [](SystemSetup setup) { return MakeKimera(setup); }},
-    {"kimera_carving", "Kimera's recipe, with carving",
-     [](SystemSetup setup) { return MakeKimeraWithCarving(std::move(setup)); }},
     {"votes", "our fusion with a vote in each voxel: classes alone",
      [](SystemSetup setup) { return MakeVotes(setup); }},
     {"votes_objects", "a vote in each voxel, and connected parts of a class as objects",

@@ -8,6 +8,7 @@
 
 #include "mapping/fusion/kept_clear_voxels.h"
 #include "mapping/fusion/segment_bundles.h"
+#include "mapping/fusion/voxel_journal.h"
 #include "mapping/map/map_config.h"
 #include "mapping/submap/submap.h"
 
@@ -29,19 +30,13 @@ struct RayOrigin {
 /// - Labels are written only within +-truncation along the ray in the object's own space, and in the first voxel of it.
 /// - A voxel with a gone count (GoneBlock) has it reset to 0; if it was contradicted, its TSDF starts anew.
 /// - Voxels of `kept_clear`, which may be null, are not written.
+/// - With a `journal`, blocks that only a Map::ForkInPlace shares are written in place, and noted.
 ///
 /// Bundles must be on the submap's grid. Writes only to `submap`, so segments of different submaps may run in parallel,
 /// those of one submap in turn. Returns the number of voxel updates. Throws Stopped soon after a `stop` request, with
 /// part of the work done, and std::bad_alloc for a segment that was cut short.
 std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> label,
                               const IntegrationConfig& config, Submap& submap, const std::stop_token& stop = {},
-                              KeptClearVoxels* kept_clear = nullptr);
-
-/// Moves existing voxels of `submap` towards free space if rays of the frame pass through them, more than the
-/// truncation and a voxel before the ray's end. Labels do not change, nor do voxels of `kept_clear`, which may be null.
-/// Bundles must be on the submap's grid. Stops as IntegrateSegment does.
-std::int64_t CarveFreeSpace(std::span<const SegmentBundles> segments, const RayOrigin& origin,
-                            const IntegrationConfig& config, Submap& submap, const std::stop_token& stop = {},
-                            KeptClearVoxels* kept_clear = nullptr);
+                              KeptClearVoxels* kept_clear = nullptr, VoxelJournal* journal = nullptr);
 
 }  // namespace dhpmap

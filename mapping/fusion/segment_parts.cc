@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
+#include "mapping/base/index_map.h"
 #include "mapping/fusion/band_size.h"
 
 namespace dhpmap {
@@ -37,30 +37,38 @@ constexpr std::int32_t FloorDiv(std::int32_t a, std::int32_t b) { return (a >= 0
 
 /// For each bundle the number of its part, in the order of their first bundles.
 std::vector<std::uint32_t> FindParts(const SegmentBundles& segment, int gap_vox, std::uint32_t& num_parts) {
-  std::unordered_map<BlockIndex, std::uint32_t, BlockIndexHash> cells;  // of gap_vox voxels
-  Islands islands;
+  constexpr std::uint32_t kNone = IndexMap<BlockIndex>::kNone, kNoPart = kNone;
+  IndexMap<BlockIndex> numbers;   // of cells of gap_vox voxels
+  std::vector<BlockIndex> cells;  // by number
+  Islands islands;                // likewise
   std::vector<std::uint32_t> cell_of(segment.bundles.size());
   for (const BundleCell& cell : segment.cells) {
     for (std::uint32_t b = cell.first_bundle; b < cell.first_bundle + cell.num_bundles; ++b) {
       const VoxelIndex v = VoxelIn(cell.block, segment.bundles[b].linear);
       const BlockIndex coarse{FloorDiv(v.x, gap_vox), FloorDiv(v.y, gap_vox), FloorDiv(v.z, gap_vox)};
-      const auto [it, is_new] = cells.try_emplace(coarse, 0);
-      if (is_new) it->second = islands.Add();
-      cell_of[b] = it->second;
+      std::uint32_t number = numbers.Find(coarse);
+      if (number == kNone) {
+        number = islands.Add();
+        numbers.Set(coarse, number);
+        cells.push_back(coarse);
+      }
+      cell_of[b] = number;
     }
   }
-  for (const auto& [c, island] : cells) {
+  for (std::uint32_t number = 0; number < cells.size(); ++number) {
+    const BlockIndex c = cells[number];
     for (int n = 14; n < 27; ++n) {  // half of the neighbours: the other half finds this one
-      const auto it = cells.find({c.x + n % 3 - 1, c.y + n / 3 % 3 - 1, c.z + n / 9 - 1});
-      if (it != cells.end()) islands.Join(island, it->second);
+      const std::uint32_t other = numbers.Find({c.x + n % 3 - 1, c.y + n / 3 % 3 - 1, c.z + n / 9 - 1});
+      if (other != kNone) islands.Join(number, other);
     }
   }
-  std::unordered_map<std::uint32_t, std::uint32_t> part_of_root;
+  num_parts = 0;
+  std::vector<std::uint32_t> part_of_root(cells.size(), kNoPart);
   for (std::uint32_t& cell : cell_of) {
-    cell =
-        part_of_root.try_emplace(islands.RootOf(cell), static_cast<std::uint32_t>(part_of_root.size())).first->second;
+    std::uint32_t& part = part_of_root[islands.RootOf(cell)];
+    if (part == kNoPart) part = num_parts++;
+    cell = part;
   }
-  num_parts = static_cast<std::uint32_t>(part_of_root.size());
   return cell_of;
 }
 

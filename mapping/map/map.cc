@@ -272,6 +272,18 @@ Map Map::Fork() {
   return fork;
 }
 
+Map Map::ForkInPlace() {
+  Map fork = *this;
+  for (std::size_t i = 0; i < submaps_.size(); ++i) {
+    if (submaps_[i]->generation() != generation_) continue;  // this map copies it before it writes
+    fork.submaps_[i] = std::make_shared<const Submap>(*submaps_[i]);
+    const_cast<Submap&>(*submaps_[i]).ForkBlocks();  // made by this generation: no snapshot holds it
+  }
+  fork.free_space_ = Frozen(free_space_);
+  fork.vacated_ = Frozen(vacated_);
+  return fork;
+}
+
 std::shared_ptr<const MapSnapshot> Map::Freeze() {
   std::vector<std::shared_ptr<const Submap>> frozen;
   for (auto& submap : submaps_) {

@@ -145,6 +145,9 @@ class Map {
 
   /// A second map of the same state, published or not, to roll back to by assignment. Both copy on write.
   [[nodiscard]] Map Fork();
+  /// The same, to go back to before anything else is done with either map: what this one writes by
+  /// Submap::BlockInPlace is also in the fork, until the writer has taken it back.
+  [[nodiscard]] Map ForkInPlace();
 
   /// The present state, published or not, without a new revision: for background work such as refinement. Later writes
   /// copy first.

@@ -14,7 +14,11 @@ constexpr std::array<std::string_view, 3> kWeightingNames = {"CONSTANT", "INVERS
                                                              "INVERSE_RANGE_SQUARED"};
 constexpr double kMaxTruncationVox = 8.0;
 
-constexpr std::array kRetiredFields = {RetiredField{"tracking.weigh_scores", "false"}};  // up to 0.2.0
+constexpr std::array kRetiredFields = {
+    RetiredField{.key = "tracking.weigh_scores", .default_text = "false"},  // up to 0.2.0
+    // Since free space is a layer, and gone surfaces are left out, carving changed no answer for the better.
+    RetiredField{.key = "integration.carving", .default_text = "false", .is_left_out = true},
+};
 
 Status BadField(const std::string& message, std::string_view key, const std::string& violation) {
   return InvalidArgument(message).WithReason("BAD_CONFIG").WithViolation(std::string(key), violation);
@@ -131,15 +135,14 @@ std::vector<std::pair<std::string, std::string>> ConfigToText(const MapConfig& c
 
 std::span<const RetiredField> RetiredFields() { return kRetiredFields; }
 
-bool IsRetiredField(std::string_view key) {
-  return std::any_of(kRetiredFields.begin(), kRetiredFields.end(),
-                     [key](const auto& field) { return field.key == key; });
+const RetiredField* FindRetiredField(std::string_view key) {
+  const auto found = std::find_if(kRetiredFields.begin(), kRetiredFields.end(),
+                                  [key](const RetiredField& field) { return field.key == key; });
+  return found == kRetiredFields.end() ? nullptr : &*found;
 }
 
 Status SetField(MapConfig& config, std::string_view wanted, std::string_view text) {
-  for (const RetiredField& field : kRetiredFields) {
-    if (wanted == field.key) return CheckRetired(field, text);
-  }
+  if (const RetiredField* retired = FindRetiredField(wanted)) return CheckRetired(*retired, text);
   bool known = false;
   bool parsed = false;
   VisitFields(config, [&](const char* key, auto& value, double, double, const char*) {

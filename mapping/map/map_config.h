@@ -23,7 +23,6 @@ struct IntegrationConfig {
   double max_weight = 10000.0;  ///< lower it to follow changes faster
   bool weight_dropoff = true;   ///< fade the weight behind the surface, from one voxel to the truncation
   bool anti_grazing = true;     ///< a ray skips voxels in which another ray of its segment ends
-  bool carving = false;  ///< also update the free space from the sensor to the surface: clears ghosts, costs time
 };
 
 struct TrackingConfig {
@@ -80,6 +79,8 @@ struct MapConfig {
   ActivityConfig activity;
   RefinementConfig refinement;
   SpaceConfig space;
+  /// "key = value" of retired settings that a stored map was built with and goes on without (RetiredField). Not a key.
+  std::vector<std::string> left_out;
 
   /// INVALID_ARGUMENT naming every key that is out of range, at once.
   [[nodiscard]] Status Validate() const;
@@ -106,7 +107,6 @@ void VisitFields(Config& c, Visitor&& visit) {
   visit("integration.weight_dropoff", c.integration.weight_dropoff, 0.0, 1.0, "fade the weight behind the surface");
   visit("integration.anti_grazing", c.integration.anti_grazing, 0.0, 1.0,
         "rays skip voxels in which other rays of their segment end");
-  visit("integration.carving", c.integration.carving, 0.0, 1.0, "also update free space along the ray");
   visit("tracking.iou_threshold", c.tracking.iou_threshold, 0.0, 1.0, "a segment joins a submap only above this IoU");
   visit("tracking.depth_tolerance_vox", c.tracking.depth_tolerance_vox, 0.0, 100.0,
         "a point hits a submap where |distance| is below this");
@@ -158,9 +158,12 @@ std::vector<std::pair<std::string, std::string>> ConfigToText(const MapConfig& c
 struct RetiredField {
   std::string_view key;
   std::string_view default_text;
+  /// Maps that were stored with another value go on without what it asked for; otherwise they are refused.
+  bool is_left_out = false;
 };
 std::span<const RetiredField> RetiredFields();
-bool IsRetiredField(std::string_view key);
+/// Null if it is none.
+const RetiredField* FindRetiredField(std::string_view key);
 
 /// Sets one field from text; INVALID_ARGUMENT for an unknown key or a value that does not parse. Ignores a retired key
 /// at its default; INVALID_ARGUMENT at any other value. Does not check ranges.

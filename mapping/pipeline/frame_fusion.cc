@@ -11,7 +11,6 @@
 #include "mapping/fusion/kept_clear_voxels.h"
 #include "mapping/map/map_grid.h"
 #include "mapping/pipeline/assigned_parts.h"
-#include "mapping/tracking/visibility.h"
 
 namespace dhpmap {
 namespace {
@@ -64,7 +63,7 @@ std::vector<std::size_t> SizesOf(const std::vector<SubmapWork>& works, const std
 }
 
 void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, const MapInfo& map,
-                const std::stop_token& stop, SubmapWork& work) {
+                const std::stop_token& stop, SubmapWork& work, VoxelJournal& journal) {
   const MapConfig& map_config = map.config;
   Submap& submap = *work.submap;
   if (submap.info().is_locked) {
@@ -99,51 +98,27 @@ void FuseSubmap(const PanopticFrame& frame, const std::vector<SegmentBundles>& s
       bundles = &*own;
     }
     work.num_updates += IntegrateSegment(*bundles, origin, LabelOf(frame, row, info), config, submap, stop,
-                                         kept_clear ? &*kept_clear : nullptr);
+                                         kept_clear ? &*kept_clear : nullptr, &journal);
   }
   if (submap.blocks().size() != num_blocks) submap.UpdateBoundingSphere();
   submap.mutable_info().num_frames_observed += 1;
   submap.mutable_info().last_observed_ns = frame.stamp_ns;
 }
 
-std::int64_t Carve(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments, Map& map, ThreadPool& pool,
-                   const std::stop_token& stop) {
-  const MapConfig& config = map.info().config;
-  const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
-  std::vector<Submap*> in_view;
-  std::vector<SubmapId> ids;
-  for (const auto& submap : map.submaps()) {
-    if (IsExclusive(submap->info(), config) && !submap->info().is_locked &&
-        MayBeInView(frame, config.integration.max_range_m, submap->bounding_sphere())) {
-      ids.push_back(submap->id());
-    }
-  }
-  in_view.reserve(ids.size());
-  for (const SubmapId id : ids) in_view.push_back(map.FindMutable(id));
-  std::vector<std::int64_t> num_updates(in_view.size(), 0);
-  pool.ParallelFor(in_view.size(), [&](std::size_t i) {
-    std::optional<KeptClearVoxels> kept_clear = KeptClearVoxelsOf(map.info(), in_view[i]->info());
-    num_updates[i] =
-        CarveFreeSpace(segments, origin, config.integration, *in_view[i], stop, kept_clear ? &*kept_clear : nullptr);
-  });
-  std::int64_t total = 0;
-  for (const std::int64_t n : num_updates) total += n;
-  return total;
-}
-
 }  // namespace
 
 std::int64_t FuseFrame(const PanopticFrame& frame, const std::vector<SegmentBundles>& segments,
-                       std::span<const Assignment> assignments, Map& map, ThreadPool& pool,
+                       std::span<const Assignment> assignments, Map& map, ThreadPool& pool, FrameJournal& journal,
                        const std::stop_token& stop) {
   std::vector<SubmapWork> works = GroupBySubmap(assignments, map);
   const MapConfig& config = map.info().config;
   const std::vector<std::size_t> by_size = LargestFirst(SizesOf(works, segments, config));
-  pool.ParallelFor(works.size(),
-                   [&](std::size_t i) { FuseSubmap(frame, segments, map.info(), stop, works[by_size[i]]); });
+  const std::span<VoxelJournal> journals = journal.OfSubmaps(works.size());
+  pool.ParallelFor(works.size(), [&](std::size_t i) {
+    FuseSubmap(frame, segments, map.info(), stop, works[by_size[i]], journals[i]);
+  });
   std::int64_t num_updates = 0;
   for (const SubmapWork& work : works) num_updates += work.num_updates;
-  if (config.integration.carving) num_updates += Carve(frame, segments, map, pool, stop);
   return num_updates;
 }
 

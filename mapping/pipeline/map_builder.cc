@@ -92,6 +92,7 @@ struct MapBuilder::Impl {
   RefinementTiming timing;
   std::shared_ptr<RefinementSlots> slots;  // may be null
   Bundler bundler;
+  FrameJournal journal;  // of the frame under way
   FrameJudge judge;
   FrameCheck check;  // of the last frame
   Tracker tracker;
@@ -167,7 +168,7 @@ void MapBuilder::Impl::Fuse(const PanopticFrame& frame, const std::vector<Segmen
                             const std::vector<Assignment>& assignments, const std::stop_token& stop,
                             FrameReport& report) {
   const StageClock clock(report.fuse_s);
-  report.num_voxels_updated = FuseFrame(frame, segments, assignments, map, *pool, stop);
+  report.num_voxels_updated = FuseFrame(frame, segments, assignments, map, *pool, journal, stop);
 }
 
 /// Returns the submaps that lost a part of their surface.
@@ -260,6 +261,8 @@ void MapBuilder::Impl::PruneEmptyBlocks() {
 }
 
 void MapBuilder::Impl::GoBackTo(Map&& before) {
+  journal.TakeBack();  // from blocks that `before` shares
+  journal.GiveBuffersBack();
   map = std::move(before);
   bundler.GiveBuffersBack();  // may hold incomplete results; also frees memory
   space = FreeSpaceFinder();
@@ -294,10 +297,11 @@ Result<FrameReport> MapBuilder::Impl::IntegrateChecked(const PanopticFrame& fram
   DHPMAP_RETURN_IF_ERROR(Judge(frame, implausible, report));    // does it agree with the map
   const auto assignments = Associate(frame, segments, report);  // (A) a submap for each segment, II-B
   Fuse(frame, segments, assignments, stop, report);             // (B) ray tracing into it, II-C
-  const auto contradicted = LookThrough(frame, stop, report);   // space that rays passed is free
-  Settle(frame, assignments, contradicted, report);             // input of (C) and (D), II-D
-  Refine(report);                                               // (C) and (D), II-D and II-E
+  const auto contradicted = LookThrough(frame, stop, report);   // what the rays passed is free
+  Settle(frame, assignments, contradicted, report);             // what (C) and (D) may work on, II-D
   judge.NoteFused(frame);
+  Refine(report);    // (C) and (D), II-D and II-E; last: once it looks at the state, nothing may be taken back
+  journal.Forget();  // the frame is fused
   return report;
 }
 
@@ -307,7 +311,7 @@ Result<FrameReport> MapBuilder::Integrate(const PanopticFrame& frame, const std:
   std::optional<Map> before;
   try {
     DHPMAP_RETURN_IF_ERROR(impl_->CheckFrame(frame));
-    before = impl_->map.Fork();
+    before = impl_->map.ForkInPlace();
     const MapInfo& info = impl_->map.info();
     const std::optional<PanopticFrame> labelled = WithoutHiddenThings(frame, *info.label_set);
     const std::optional<PanopticFrame> rest = WithoutKeptClear(labelled ? *labelled : frame, info.kept_clear);
@@ -337,8 +341,9 @@ std::optional<RefinementReport> MapBuilder::Impl::Finish(const std::function<boo
   refinement.Cancel();
   is_overdue = is_waiting = false;
   const auto slot = slots ? RefinementSlots::Take(slots, is_cancelled) : std::nullopt;
-  bundler.GiveBuffersBack();  // no frame follows for some time
-  GiveBackFreeMemory();       // the finished refinement had its own state of the map
+  bundler.GiveBuffersBack();  // no frame comes for some time
+  journal.GiveBuffersBack();
+  GiveBackFreeMemory();  // what was under way had a state of the map of its own
   DeactivateAll(map);
   if (map.info().config.space.gone) UpdatePresenceOfAll(map);
   MergePairs(map, std::numeric_limits<std::size_t>::max());

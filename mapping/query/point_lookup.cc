@@ -19,7 +19,7 @@ struct Vote {
   VoxelSupport support;
 };
 
-/// Distances beyond the truncation come from carving and carry no more information; the factor covers rounding.
+/// Farther than the truncation a distance says only that: it is what older versions carved, but for rounding.
 bool IsNearSurface(const Submap& submap, const VoxelSample& voxel) {
   return voxel.distance_m() < 0.999 * submap.info().truncation_m;
 }

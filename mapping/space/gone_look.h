@@ -87,7 +87,7 @@ class GoneLook {
         from_(from),
         left_(left),
         voxels_per_m_(static_cast<float>(1 / voxel_size_m)),
-        // What carving leaves is no surface.
+        // What older versions carved is no surface.
         most_m_(static_cast<float>(0.999 * truncation_m)),
         balls_farther_by_vox_(FartherBy_vox(voxel_size_m, truncation_m, 0)),
         farther_by_vox_(FartherBy_vox(voxel_size_m, truncation_m)),

@@ -56,12 +56,35 @@ GoneBlock& Submap::MutableGone(BlockIndex index) {
   return Own(entry.gone, entry.owns_gone);
 }
 
+BlockInPlace Submap::BlockInPlace(BlockIndex index, bool with_labels, bool in_place) {
+  dhpmap::BlockInPlace block;
+  BlockTable& blocks = WritableBlocks();
+  const auto [own, is_forked] = in_place ? blocks.FindOwn(index, generation_) : BlockTable::OwnEntry();
+  if (own != nullptr && own->tsdf != nullptr && (own->owns_tsdf || own->owned_tsdf)) {
+    block.notes_tsdf = is_forked || !own->owns_tsdf;
+    block.tsdf = const_cast<TsdfBlock*>(own->tsdf.get());  // nobody else holds it but a fork
+  }
+  if (with_labels && own != nullptr && own->labels != nullptr && (own->owns_labels || own->owned_labels)) {
+    block.notes_labels = is_forked || !own->owns_labels;
+    block.labels = const_cast<LabelBlock*>(own->labels.get());
+  }
+  if (block.tsdf != nullptr && (block.labels != nullptr || !with_labels)) {
+    block.gone = own->gone.get();
+    return block;
+  }
+  BlockEntry& entry = blocks.FindOrInsert(index, generation_);
+  if (block.tsdf == nullptr) block.tsdf = &Own(entry.tsdf, entry.owns_tsdf);
+  if (with_labels && block.labels == nullptr) block.labels = &Own(entry.labels, entry.owns_labels);
+  block.gone = entry.gone.get();
+  return block;
+}
+
 void Submap::PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf,
                       std::shared_ptr<const LabelBlock> labels) {
   BlockEntry& entry = WritableBlocks().FindOrInsert(index, generation_);
   entry.tsdf = std::move(tsdf);
   entry.labels = std::move(labels);
-  entry.owns_tsdf = entry.owns_labels = false;
+  entry.owns_tsdf = entry.owns_labels = entry.owned_tsdf = entry.owned_labels = false;
 }
 
 void Submap::PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone) {
@@ -71,11 +94,15 @@ void Submap::PutGone(BlockIndex index, std::shared_ptr<const GoneBlock> gone) {
 }
 
 void Submap::AddLayers(const BlockEntry& block) {
+  BlockEntry& entry = WritableBlocks().FindOrInsert(block.index, generation_);
   ForEachLayer(
       [](BlockLayer, const auto& given, auto& layer) {
         if (given != nullptr) layer = given;
       },
-      block, WritableBlocks().FindOrInsert(block.index, generation_));
+      block, entry);
+  if (block.tsdf != nullptr) entry.owns_tsdf = entry.owned_tsdf = false;
+  if (block.labels != nullptr) entry.owns_labels = entry.owned_labels = false;
+  if (block.gone != nullptr) entry.owns_gone = false;
 }
 
 void Submap::DropGone() {

@@ -13,6 +13,14 @@
 
 namespace dhpmap {
 
+/// A block to be written in place. See Submap::BlockInPlace.
+struct BlockInPlace {
+  TsdfBlock* tsdf = nullptr;
+  LabelBlock* labels = nullptr;                   ///< null if they were not asked for
+  const GoneBlock* gone = nullptr;                ///< null: no sensor has looked through it
+  bool notes_tsdf = false, notes_labels = false;  ///< a fork has the layer, too: note each write, to take it back
+};
+
 /// One object or background class: a grid of TSDF and label blocks with its own pose, panoptic label and bounding
 /// sphere (paper II-A). Copying shares the blocks; the copy's owner clones a block before it first writes to it.
 /// Thread-compatible.
@@ -45,6 +53,9 @@ class Submap {
   TsdfBlock& MutableTsdf(BlockIndex index);
   LabelBlock& MutableLabels(BlockIndex index);
   GoneBlock& MutableGone(BlockIndex index);
+  /// The layers of a block, allocated if absent, for a writer that can take back what it wrote: a layer that only the
+  /// last Map::ForkInPlace shares is not copied. Without `in_place` as MutableTsdf and MutableLabels.
+  dhpmap::BlockInPlace BlockInPlace(BlockIndex index, bool with_labels, bool in_place);
   /// Puts layers in place as they are (a loaded map). Either may be null. The gone layer stays.
   void PutBlock(BlockIndex index, std::shared_ptr<const TsdfBlock> tsdf, std::shared_ptr<const LabelBlock> labels);
   /// Null: no sensor has looked through the block. Only for an existing block.
@@ -67,6 +78,8 @@ class Submap {
   void DropLabels();
   /// Marks every present layer as shared: the next write to one copies it first. For clones.
   void ShareBlocks() { blocks_.ShareTiles(); }
+  /// See BlockTable.
+  void ForkBlocks() { blocks_.ForkTiles(); }
 
   /// The same submap (see part_id) with replaced tiles: see BlockTable::Replace. Null if none was replaced.
   [[nodiscard]] std::shared_ptr<const Submap> WithTiles(const OtherTile& other) const;

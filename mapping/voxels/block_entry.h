@@ -22,6 +22,10 @@ struct BlockEntry {
   bool owns_tsdf = false;
   bool owns_labels = false;
   bool owns_gone = false;
+  // Likewise before the map was last forked to be written in place: nobody but that fork shares them
+  // (Map::ForkInPlace).
+  bool owned_tsdf = false;
+  bool owned_labels = false;
   std::shared_ptr<const TsdfBlock> tsdf;
   std::shared_ptr<const LabelBlock> labels;
   std::shared_ptr<const GoneBlock> gone;

@@ -38,13 +38,17 @@ void AddLayersOf(const BlockTile* from, const BlockLayers& wanted, BlockTile& in
 }  // namespace
 
 BlockTile& BlockTable::Own(TileEntry& entry, std::uint64_t generation) {
-  if (entry.generation != generation) {
+  if (entry.generation != generation || entry.is_forked) {
+    const bool is_own = entry.generation == generation;
     auto copy = std::make_shared<BlockTile>(*entry.tile);
     for (BlockEntry& block : copy->mutable_entries()) {
+      block.owned_tsdf = is_own && (block.owns_tsdf || block.owned_tsdf);
+      block.owned_labels = is_own && (block.owns_labels || block.owned_labels);
       block.owns_tsdf = block.owns_labels = block.owns_gone = false;
     }
     entry.tile = std::move(copy);
     entry.generation = generation;
+    entry.is_forked = false;
   }
   return const_cast<BlockTile&>(*entry.tile);  // made by this generation: nobody else holds it
 }
@@ -67,6 +71,15 @@ void BlockTable::TakeTiles() {
   numbers_ = read.numbers_;
   num_blocks_ = read.num_blocks_;
   unread_ = nullptr;
+}
+
+BlockTable::OwnEntry BlockTable::FindOwn(BlockIndex index, std::uint64_t generation) {
+  BeginWriting();
+  const std::uint32_t number = numbers_.Find(TileOf(index));
+  if (number == kNone || tiles_[number].generation != generation) return {};
+  auto& tile = const_cast<BlockTile&>(*tiles_[number].tile);  // made by this generation: no snapshot holds it
+  (void)tile.mutable_entries();                               // what was found out of it does not hold any more
+  return {tile.Find(CellOf(index)), tiles_[number].is_forked};
 }
 
 BlockEntry& BlockTable::FindOrInsert(BlockIndex index, std::uint64_t generation) {
@@ -159,6 +172,10 @@ bool BlockTable::Replace(const OtherTile& other) {
 
 void BlockTable::ShareTiles() {
   for (TileEntry& entry : tiles_) entry.generation = 0;
+}
+
+void BlockTable::ForkTiles() {
+  for (TileEntry& entry : tiles_) entry.is_forked = true;
 }
 
 std::size_t BlockTable::MemoryBytes() const {

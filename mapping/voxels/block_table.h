@@ -20,6 +20,7 @@ struct TileEntry {
   TileIndex index;
   std::shared_ptr<const BlockTile> tile;  ///< never null, never empty
   std::uint64_t generation = 0;           ///< of the writer that made it; see BlockTable
+  bool is_forked = false;                 ///< a fork has it, too; see BlockTable::ForkTiles
 };
 
 /// Returns the same tile (by PartId) as another object that keeps its blocks elsewhere. Null: keep the present one.
@@ -72,6 +73,13 @@ class BlockTable {
   class Range;
   [[nodiscard]] Range entries() const;
 
+  /// An entry of a tile that the writer of `generation` made; null: there is none.
+  struct OwnEntry {
+    const BlockEntry* entry = nullptr;
+    bool is_forked = false;  ///< the tile is (ForkTiles)
+  };
+  /// For writing layers in place, without copying a forked tile.
+  OwnEntry FindOwn(BlockIndex index, std::uint64_t generation);
   /// Finds the entry or adds one without layers. Invalidates pointers to entries.
   BlockEntry& FindOrInsert(BlockIndex index, std::uint64_t generation);
   /// Inserts a tile of a loaded map as it is; the index must be free. Neither null nor empty.
@@ -94,6 +102,9 @@ class BlockTable {
   bool Replace(const OtherTile& other);
   /// Marks every tile as shared, whatever its generation: for two copies that continue with the same generation.
   void ShareTiles();
+  /// Makes the writer copy each tile before it next writes to it, but not the blocks that it allocated itself: what it
+  /// owns becomes what it owned (BlockEntry). For a table of which a copy is kept to go back to.
+  void ForkTiles();
 
   /// Cached SphereOfObserved, valid until the table is next written to.
   [[nodiscard]] const KeptExtent& extent() const { return extent_; }

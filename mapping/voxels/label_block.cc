@@ -8,25 +8,15 @@
 namespace dhpmap {
 namespace {
 
-template <typename Id>
-void Increase(std::vector<SeenCount<Id>>& counts, Id id, std::uint32_t by) {
-  const auto it = std::lower_bound(counts.begin(), counts.end(), id,
-                                   [](const SeenCount<Id>& entry, Id wanted) { return entry.id < wanted; });
-  if (it != counts.end() && it->id == id) {
-    it->count = SumOfCounts(it->count, by);
-  } else {
-    counts.insert(it, {id, by});
-  }
-}
-
-template <typename Id>
-BestSeen<Id> FindBest(const std::vector<SeenCount<Id>>& counts) {
+/// The best of the counts that visit_all(visit) visits.
+template <typename Id, typename VisitAll>
+BestSeen<Id> FindBest(const VisitAll& visit_all) {
   BestSeen<Id> best;
   std::uint64_t total = 0;
-  for (const SeenCount<Id>& entry : counts) {
-    total += entry.count;
-    if (entry.count > best.count) best = {entry.id, entry.count, 0.0f};
-  }
+  visit_all([&](const SeenCount<Id>& seen) {
+    total += seen.count;
+    if (seen.count > best.count) best = {seen.id, seen.count, 0.0f};
+  });
   if (total > 0) best.share = static_cast<float>(best.count) / static_cast<float>(total);
   return best;
 }
@@ -44,7 +34,6 @@ LabelBlock& LabelBlock::operator=(const LabelBlock& other) {
   cells_ = std::move(copy.cells_);
   class_ = copy.class_;
   overflow_ = std::move(copy.overflow_);
-  free_overflow_ = std::move(copy.free_overflow_);
   concluded_ = copy.concluded_;
   return *this;
 }
@@ -102,9 +91,10 @@ void LabelBlock::AddObservationSlowly(int linear, ClassId c, std::uint32_t count
       return;
     }
   }
-  LabelHistograms& histograms = MoveToOverflow(linear);
-  Increase(histograms.classes, std::uint32_t{c.value}, count);
-  Increase(histograms.instances, kOwnInstance, count);
+  if (cell.class_a == kOverflow) return overflow_.AddObservation(cell.Entry(), c, count);
+  const LabelHistograms before = Get(linear), added = LabelHistograms::OfClass(c, count);
+  cell = Cell::OfOverflow(
+      overflow_.Add({SumCounts(before.classes, added.classes), SumCounts(before.instances, added.instances)}));
 }
 
 void LabelBlock::Add(int linear, const LabelHistograms& added) {
@@ -127,11 +117,7 @@ void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
   }
   if (is_of_one_class && SetNarrow(linear, classes[0])) return;
   Cell& cell = Widen(linear);
-  if (cell.class_a == kOverflow) {
-    const std::uint32_t entry = cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16);
-    overflow_[entry] = {};
-    free_overflow_.push_back(entry);
-  }
+  if (cell.class_a == kOverflow) overflow_.Remove(cell.Entry());
   cell = {};
   if (classes.empty() && instances.empty()) return;
 
@@ -154,28 +140,12 @@ void LabelBlock::Set(int linear, const LabelHistograms& histograms) {
     }
     return;
   }
-  MoveToOverflow(linear) = histograms;
+  cell = Cell::OfOverflow(overflow_.Add(histograms));
 }
 
-bool LabelBlock::HasSeenInstance(SubmapId other) const {
-  const SeenInstance instance(other);
-  return std::any_of(overflow_.begin(), overflow_.end(), [instance](const LabelHistograms& entry) {
-    return std::any_of(entry.instances.begin(), entry.instances.end(),
-                       [instance](const InstanceCount& seen) { return seen.id == instance; });
-  });
-}
+bool LabelBlock::HasSeenInstance(SubmapId other) const { return overflow_.HasInstance(SeenInstance(other)); }
 
-void LabelBlock::RenameInstance(SubmapId from, SeenInstance to) {
-  const SeenInstance old(from);
-  for (LabelHistograms& entry : overflow_) {
-    const auto found = std::find_if(entry.instances.begin(), entry.instances.end(),
-                                    [old](const InstanceCount& seen) { return seen.id == old; });
-    if (found == entry.instances.end()) continue;
-    const InstanceCount renamed{to, found->count};
-    entry.instances.erase(found);
-    entry.instances = SumCounts(entry.instances, std::vector<InstanceCount>{renamed});
-  }
-}
+void LabelBlock::RenameInstance(SubmapId from, SeenInstance to) { overflow_.RenameInstance(SeenInstance(from), to); }
 
 bool LabelBlock::IsEmpty(int linear) const {
   const Cell cell = CellAt(linear);
@@ -184,7 +154,7 @@ bool LabelBlock::IsEmpty(int linear) const {
 
 LabelHistograms LabelBlock::Get(int linear) const {
   const Cell cell = CellAt(linear);
-  if (cell.class_a == kOverflow) return Overflow(cell);
+  if (cell.class_a == kOverflow) return overflow_.Get(cell.Entry());
   LabelHistograms histograms;
   if (cell.IsEmpty()) return histograms;
   histograms.classes.push_back({cell.class_a, cell.CountA()});
@@ -196,7 +166,9 @@ LabelHistograms LabelBlock::Get(int linear) const {
 
 BestLabel LabelBlock::BestClass(int linear) const {
   const Cell cell = CellAt(linear);
-  if (cell.class_a == kOverflow) return FindBest(Overflow(cell).classes);
+  if (cell.class_a == kOverflow) {
+    return FindBest<std::uint32_t>([&](const auto& visit) { overflow_.VisitClasses(cell.Entry(), visit); });
+  }
   if (cell.IsEmpty()) return {};
   const std::uint32_t a = cell.CountA(), b = cell.CountB();
   const bool b_wins = b > a || (b == a && cell.class_b < cell.class_a);
@@ -206,7 +178,9 @@ BestLabel LabelBlock::BestClass(int linear) const {
 
 BestSeen<SeenInstance> LabelBlock::BestInstance(int linear) const {
   const Cell cell = CellAt(linear);
-  if (cell.class_a == kOverflow) return FindBest(Overflow(cell).instances);
+  if (cell.class_a == kOverflow) {
+    return FindBest<SeenInstance>([&](const auto& visit) { overflow_.VisitInstances(cell.Entry(), visit); });
+  }
   if (cell.IsEmpty()) return {};
   return {kOwnInstance, cell.Total(), 1.0f};
 }
@@ -248,47 +222,19 @@ std::uint64_t LabelBlock::NumObservations(int linear) const {
   const Cell cell = CellAt(linear);
   if (cell.class_a != kOverflow) return cell.Total();
   std::uint64_t total = 0;
-  for (const InstanceCount& entry : Overflow(cell).instances) total += entry.count;
+  overflow_.VisitInstances(cell.Entry(), [&total](const InstanceCount& seen) { total += seen.count; });
   return total;
 }
 
-std::size_t LabelBlock::NumOverflowVoxels() const { return overflow_.size() - free_overflow_.size(); }
+std::size_t LabelBlock::NumOverflowVoxels() const { return overflow_.NumEntries(); }
 
-std::size_t LabelBlock::MemoryBytes() const {
-  std::size_t bytes = sizeof(*this) + CountedBytes() + overflow_.capacity() * sizeof(LabelHistograms) +
-                      free_overflow_.capacity() * sizeof(std::uint32_t);
-  for (const LabelHistograms& entry : overflow_) {
-    bytes += entry.classes.capacity() * sizeof(LabelCount) + entry.instances.capacity() * sizeof(InstanceCount);
-  }
-  return bytes;
-}
+std::size_t LabelBlock::MemoryBytes() const { return sizeof(*this) + CountedBytes() + overflow_.MemoryBytes(); }
 
 bool LabelBlock::operator==(const LabelBlock& other) const {
   for (int i = 0; i < kBlockVoxels; ++i) {
     if (Get(i) != other.Get(i)) return false;
   }
   return concluded_ == other.concluded_;
-}
-
-const LabelHistograms& LabelBlock::Overflow(const Cell& cell) const {
-  return overflow_[cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16)];
-}
-
-LabelHistograms& LabelBlock::MoveToOverflow(int linear) {
-  Cell& cell = Widen(linear);
-  if (cell.class_a == kOverflow) return overflow_[cell.count_a | (static_cast<std::uint32_t>(cell.class_b) << 16)];
-  LabelHistograms histograms = Get(linear);
-  std::uint32_t entry;
-  if (free_overflow_.empty()) {
-    entry = static_cast<std::uint32_t>(overflow_.size());
-    overflow_.emplace_back();
-  } else {
-    entry = free_overflow_.back();
-    free_overflow_.pop_back();
-  }
-  overflow_[entry] = std::move(histograms);
-  cell = {kOverflow, static_cast<std::uint16_t>(entry), static_cast<std::uint16_t>(entry >> 16), 0};
-  return overflow_[entry];
 }
 
 }  // namespace dhpmap

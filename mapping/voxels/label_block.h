@@ -3,38 +3,17 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "mapping/base/cache_line.h"
 #include "mapping/base/grid.h"
 #include "mapping/base/ids.h"
-#include "mapping/labels/seen_instance.h"
+#include "mapping/labels/label_counts.h"
+#include "mapping/voxels/label_lists.h"
 #include "mapping/voxels/part_id.h"
 #include "mapping/voxels/voxel_mask.h"
 #include "mapping/voxels/voxel_plane.h"
 
 namespace dhpmap {
-
-/// Number of observations of a class, of an instance as the voxel names it, or of a submap.
-template <typename Id>
-struct SeenCount {
-  Id id{};
-  std::uint32_t count = 0;
-  constexpr bool operator==(const SeenCount&) const = default;
-};
-using LabelCount = SeenCount<std::uint32_t>;
-using InstanceCount = SeenCount<SeenInstance>;
-using SubmapCount = SeenCount<SubmapId>;
-
-/// All label counts of a voxel, each list by ascending id.
-struct LabelHistograms {
-  std::vector<LabelCount> classes;
-  std::vector<InstanceCount> instances;
-  /// `count` observations of a class, and as many of the own instance.
-  static LabelHistograms OfClass(ClassId c, std::uint32_t count = 1) {
-    return {{{c.value, count}}, {{kOwnInstance, count}}};
-  }
-  bool operator==(const LabelHistograms&) const = default;
-};
 
 /// The id with the largest count, and its share of all counts. Ties go to the smaller id; for instances, that is the
 /// submap that holds the voxel. `count` and `share` are 0 for an empty list.
@@ -45,13 +24,6 @@ struct BestSeen {
   float share = 0.0f;
 };
 using BestLabel = BestSeen<std::uint32_t>;
-
-/// Sum of two counts, saturated at 2^32 - 1, so that the most frequent label stays so.
-constexpr std::uint32_t SumOfCounts(std::uint32_t a, std::uint32_t b) { return a > ~b ? ~std::uint32_t{0} : a + b; }
-
-/// Sums two lists that are sorted by id.
-template <typename Id>
-std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const std::vector<SeenCount<Id>>& b);
 
 /// Sum of the counts of several voxels.
 struct LabelTotals {
@@ -88,22 +60,36 @@ class LabelBlock {
   /// Adds one observation of class `c` that also counts for the own instance (paper II-C). `count` is what it counts,
   /// 1 to 65,535.
   void AddObservation(int linear, ClassId c, std::uint32_t count = 1) {
+    if (!AddInPlace(linear, c, count)) AddObservationSlowly(linear, c, count);
+  }
+  /// The same if that only raises a count where it is; otherwise changes nothing and returns false.
+  bool AddInPlace(int linear, ClassId c, std::uint32_t count = 1) {
     const auto i = static_cast<std::size_t>(linear);
     if (counts_) {
       std::uint16_t& seen = counts_[i];
-      if (class_ == c.value && seen + count <= kMaxInlineCount) {  // nearly always
-        seen = static_cast<std::uint16_t>(seen + count);
-        return;
-      }
-    } else {
-      // The lower half of a wide count, too, if that does not carry.
-      Cell& cell = cells_[i];
-      if (cell.class_a == c.value && cell.count_a != 0 && cell.count_a + count <= kMaxInlineCount) {
-        cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
-        return;
-      }
+      if (class_ != c.value || seen + count > kMaxInlineCount) return false;
+      seen = static_cast<std::uint16_t>(seen + count);  // nearly always
+      return true;
     }
-    AddObservationSlowly(linear, c, count);
+    // The lower half of a wide count, too, if that does not carry.
+    Cell& cell = cells_[i];
+    if (cell.class_a != c.value || cell.count_a == 0 || cell.count_a + count > kMaxInlineCount) return false;
+    cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
+    return true;
+  }
+  /// Undoes the last AddInPlace of 1 in this voxel, of a block that has only been added to in place since.
+  void TakeBack(int linear) {
+    const auto i = static_cast<std::size_t>(linear);
+    std::uint16_t& seen = counts_ ? counts_[i] : cells_[i].count_a;
+    seen = static_cast<std::uint16_t>(seen - 1);
+  }
+
+  /// Asks memory for the counts, which are to be written.
+  void Fetch() const {
+    constexpr int kToWrite = 1;
+    const void* const values = counts_ ? static_cast<const void*>(&counts_[0]) : static_cast<const void*>(&cells_[0]);
+    const auto* const bytes = static_cast<const char*>(values);
+    for (std::size_t at = 0; at < CountedBytes(); at += kCacheLineBytes) __builtin_prefetch(bytes + at, kToWrite);
   }
 
   /// Adds whole histograms, such as those of a voxel of another submap; lists sorted by id, ids of classes below
@@ -128,12 +114,10 @@ class LabelBlock {
   }
 
   /// Reserves overflow entries for that many voxels.
-  void ReserveOverflow(std::size_t num_voxels) { overflow_.reserve(num_voxels); }
+  void ReserveOverflow(std::size_t num_voxels) { overflow_.Reserve(num_voxels); }
 
   /// Releases unused capacity.
-  void ShrinkOverflow() {
-    if (overflow_.size() < overflow_.capacity()) overflow_.shrink_to_fit();
-  }
+  void ShrinkOverflow() { overflow_.Shrink(); }
 
   /// Whether some voxel has counts for the instance `other`, which is not the own one. Quick: few voxels have any.
   [[nodiscard]] bool HasSeenInstance(SubmapId other) const;
@@ -179,6 +163,11 @@ class LabelBlock {
     [[nodiscard]] std::uint32_t CountB() const { return IsWide() ? 0u : std::uint32_t{count_b}; }
     [[nodiscard]] std::uint32_t Total() const { return CountA() + CountB(); }
     static Cell OfOneClass(std::uint16_t id, std::uint32_t count);
+    static Cell OfOverflow(std::uint32_t entry) {
+      return {kOverflow, static_cast<std::uint16_t>(entry), static_cast<std::uint16_t>(entry >> 16), 0};
+    }
+    /// The entry number of one that is kOverflow.
+    [[nodiscard]] std::uint32_t Entry() const { return count_a | static_cast<std::uint32_t>(class_b) << 16; }
   };
   static constexpr std::uint16_t kOverflow = 0xFFFF;
   static constexpr std::uint16_t kWide = 0xFFFF;
@@ -202,8 +191,6 @@ class LabelBlock {
   [[nodiscard]] bool HasNoCount() const;
   void AddCountsTo(LabelTotals& totals) const;
   void AddObservationSlowly(int linear, ClassId c, std::uint32_t count);
-  [[nodiscard]] const LabelHistograms& Overflow(const Cell& cell) const;
-  LabelHistograms& MoveToOverflow(int linear);
 
   using Counts = VoxelPlane<std::uint16_t>;
   using Cells = VoxelPlane<Cell>;
@@ -212,34 +199,15 @@ class LabelBlock {
   Counts counts_;
   Cells cells_ = Cells::None();
   std::uint16_t class_ = kNoClass;  ///< of the counts, from the first on
-  std::vector<LabelHistograms> overflow_;
-  std::vector<std::uint32_t> free_overflow_;
+  LabelLists overflow_;
   VoxelMask concluded_{};
 };
-
-template <typename Id>
-std::vector<SeenCount<Id>> SumCounts(const std::vector<SeenCount<Id>>& a, const std::vector<SeenCount<Id>>& b) {
-  std::vector<SeenCount<Id>> sum;
-  sum.reserve(a.size() + b.size());
-  std::size_t i = 0, j = 0;
-  while (i < a.size() || j < b.size()) {
-    if (j == b.size() || (i < a.size() && a[i].id < b[j].id)) {
-      sum.push_back(a[i++]);
-    } else if (i == a.size() || b[j].id < a[i].id) {
-      sum.push_back(b[j++]);
-    } else {
-      sum.push_back({a[i].id, SumOfCounts(a[i].count, b[j].count)});
-      ++i, ++j;
-    }
-  }
-  return sum;
-}
 
 template <typename Visitor>
 void LabelBlock::VisitClasses(int linear, Visitor&& visit) const {
   const Cell cell = CellAt(linear);
   if (cell.class_a == kOverflow) {
-    for (const LabelCount& entry : Overflow(cell).classes) visit(entry);
+    overflow_.VisitClasses(cell.Entry(), visit);
     return;
   }
   if (const std::uint32_t count = cell.CountA(); count != 0) visit(LabelCount{cell.class_a, count});
@@ -250,7 +218,7 @@ template <typename Visitor>
 void LabelBlock::VisitInstances(int linear, Visitor&& visit) const {
   const Cell cell = CellAt(linear);
   if (cell.class_a == kOverflow) {
-    for (const InstanceCount& entry : Overflow(cell).instances) visit(entry);
+    overflow_.VisitInstances(cell.Entry(), visit);
     return;
   }
   if (const std::uint32_t own = cell.Total(); own != 0) visit(InstanceCount{kOwnInstance, own});

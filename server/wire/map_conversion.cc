@@ -99,6 +99,10 @@ Status MergeConfig(const v1::MapConfig& proto, MapConfig& config) {
     const auto [message, field] = Locate(root, key);
     if (message->GetReflection()->HasField(*message, field)) Read(*message, field, value, bad);
   });
+  const auto [message, carving] = Locate(root, "integration.carving");
+  if (message->GetReflection()->GetBool(*message, carving)) {
+    bad.AddViolation("config.integration.carving", "is retired: it can only be false");
+  }
   return bad.violations().empty() ? Status::Ok() : bad;
 }
 

@@ -31,6 +31,8 @@ MapRow RowAfter(const MapRow& before, const MapSnapshot& after, const TileTotals
   row.marks = before.marks;
   RaiseMarks(row);
   SealMapParts(row, parts);
+  // A config never changes, and keeps the retired keys that it was stored with.
+  if (before.config_checksum != 0) row.config_checksum = before.config_checksum;
   SealMapRow(row);
   return row;
 }

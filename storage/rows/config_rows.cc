@@ -68,7 +68,12 @@ Result<MapConfig> ConfigOf(const std::vector<ConfigRow>& rows) {
   for (const ConfigRow& row : rows) {
     const Status set = SetField(config, row.key, row.value);
     if (set.ok()) continue;
-    if (IsRetiredField(row.key)) {
+    const RetiredField* const retired = FindRetiredField(row.key);
+    if (retired != nullptr && retired->is_left_out) {
+      config.left_out.push_back(row.key + " = " + row.value);
+      continue;
+    }
+    if (retired != nullptr) {
       return FailedPrecondition("the map was built with " + row.key + " = " + row.value +
                                 ", which this version cannot go on with: serve it with the version that wrote it, or "
                                 "map its frames again")

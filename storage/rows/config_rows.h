@@ -33,7 +33,8 @@ Result<std::vector<ConfigRow>> WriteConfigRows(sqlite::Database& database, std::
 /// Over keys and values as they are stored, whatever keys this version knows.
 std::uint32_t ConfigChecksum(const std::vector<ConfigRow>& rows);
 
-/// Keys that are not among the rows have their defaults; retired keys at their defaults are ignored.
+/// Keys that are not among the rows have their defaults; retired keys at their defaults are ignored, some others are
+/// listed (MapConfig::left_out).
 /// FAILED_PRECONDITION, reason NEWER_CONFIG, for a key or value that this version does not know, and RETIRED_CONFIG for
 /// one that it no longer knows: mapping would go on by other rules than it began with.
 Result<MapConfig> ConfigOf(const std::vector<ConfigRow>& rows);

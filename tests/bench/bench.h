@@ -19,7 +19,6 @@ struct FusionBenchOptions {
   int num_threads = 1;
   std::size_t num_frames = 0;
   int repetitions = 3;
-  bool carving = false;
   bool free_space = true, gone = true;
   std::size_t num_kept_clear = 0;  ///< regions of 0.3 m along the way that hold no surface, so that they only cost
 };
@@ -103,7 +102,7 @@ struct ChangeBenchOptions {
   std::string directory;
   std::string labels = "predicted";  ///< or groundtruth
   bool framewise = false;            ///< without persistent ids, though the labels have them
-  bool gone = true, carving = false;
+  bool gone = true;
 };
 /// Maps a double walk of dhpmap-simulate --change: how much of what is gone still has a surface, how much of what was
 /// moved has one at its new place, and whether anything else has lost its own.

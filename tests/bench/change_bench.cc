@@ -155,7 +155,6 @@ Status RunChangeBench(const ChangeBenchOptions& options) {
   MapInfo info;
   info.name = "bench";
   DHPMAP_RETURN_IF_ERROR(ApplyPreset(dataset->preset(), info.config));
-  info.config.integration.carving = options.carving;
   info.config.space.gone = options.gone;
   DHPMAP_ASSIGN_OR_RETURN(LabelSet label_set, LabelSet::Create(dataset->label_classes()));
   info.label_set = std::make_shared<LabelSet>(std::move(label_set));
@@ -197,9 +196,8 @@ Status RunChangeBench(const ChangeBenchOptions& options) {
   for (std::size_t i = 0; i < all_still.size(); ++i) {
     if (had_still[i]) still.push_back(all_still[i]);
   }
-  std::printf("%s labels%s, gone %s, carving %s: points with a surface within a voxel, after both walks\n",
-              options.labels.c_str(), options.framewise ? " without persistent ids" : "", options.gone ? "on" : "off",
-              options.carving ? "on" : "off");
+  std::printf("%s labels%s, gone %s: points with a surface within a voxel, after both walks\n", options.labels.c_str(),
+              options.framewise ? " without persistent ids" : "", options.gone ? "on" : "off");
   Print("of what is gone, or was moved away", HaveSurface(after, gone));
   PrintCauses(after, walk, gone_points);
   Print("of what was moved, at its new place", HaveSurface(after, measured.moved.List()));

@@ -32,7 +32,6 @@ Result<MapInfo> MakeInfo(const FusionBenchOptions& options, const Dataset& datas
   info.config.voxel_size_m = options.voxel_size_m;
   info.config.truncation_m = options.truncation_m;
   info.config.integration.max_range_m = options.max_range_m;
-  info.config.integration.carving = options.carving;
   info.config.space.free = options.free_space;
   info.config.space.gone = options.gone;
   DHPMAP_RETURN_IF_ERROR(info.config.Validate());
@@ -126,9 +125,9 @@ Status RunFusionBench(const FusionBenchOptions& options) {
   DHPMAP_ASSIGN_OR_RETURN(MapInfo info, MakeInfo(options, *loaded.dataset));
   DHPMAP_RETURN_IF_ERROR(KeepClearAlong(loaded.frames, options.num_kept_clear, info.kept_clear));
 
-  std::printf("%zu frames (%zu skipped), voxel %g m, truncation %g m, labels %s, %d thread(s), carving %s\n",
-              loaded.frames.size(), loaded.num_skipped, options.voxel_size_m, options.truncation_m,
-              options.labels.c_str(), options.num_threads, options.carving ? "on" : "off");
+  std::printf("%zu frames (%zu skipped), voxel %g m, truncation %g m, labels %s, %d thread(s)\n", loaded.frames.size(),
+              loaded.num_skipped, options.voxel_size_m, options.truncation_m, options.labels.c_str(),
+              options.num_threads);
   std::printf(
       "ms a frame:    mean  median     p95 | bundle   track    fuse activity | free: mean  median     p95 | points  "
       "voxel updates\n");

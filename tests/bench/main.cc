@@ -47,7 +47,6 @@ int main(int argc, char** argv) {
   fusion_command->add_option("--labels", fusion.labels, "one (a single segment a frame), predicted or groundtruth")
       ->check(CLI::IsMember({"one", "predicted", "groundtruth"}))
       ->capture_default_str();
-  fusion_command->add_flag("--carving", fusion.carving, "Clear free space too");
   fusion_command->add_flag("!--no-free", fusion.free_space, "Do not keep which voxels were looked through");
 
   fusion_command->add_flag("!--no-gone", fusion.gone, "Do not look for what is no longer there");
@@ -145,7 +144,6 @@ int main(int argc, char** argv) {
   change_command->add_option("directory", change.directory, "Recording of dhpmap-simulate --change")->required();
   change_command->add_option("--labels", change.labels, "predicted or groundtruth")->capture_default_str();
   change_command->add_flag("--framewise", change.framewise, "Do not use persistent ids");
-  change_command->add_flag("--carving", change.carving, "Clear free space too");
   change_command->add_flag("!--no-gone", change.gone, "Do not look for what is no longer there");
 
   dhpmap::bench::FrayBenchOptions fray;

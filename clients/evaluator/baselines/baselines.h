@@ -19,11 +19,7 @@ std::unique_ptr<MappingSystem> MakePanmapOfWholeSegments(SystemSetup setup);
 /// Kimera-Semantics (Rosinol et al., ICRA 2020): one TSDF, a Bayesian label for each voxel, no instances.
 std::unique_ptr<MappingSystem> MakeKimera(const SystemSetup& setup);
 
-/// The same with Kimera's carving of free space: rays clear surfaces that they pass through. They write no labels
-/// there, because free space has none.
-std::unique_ptr<MappingSystem> MakeKimeraWithCarving(SystemSetup setup);
-
-/// The simple baseline: the TSDF of MakeKimera, and for each voxel the class predicted most often.
+/// The plain yardstick: the TSDF of MakeKimera, and at each voxel the class that was predicted most often.
 std::unique_ptr<MappingSystem> MakeVotes(const SystemSetup& setup);
 
 /// MakeVotes, with each connected part of a thing class as an object (see NumberConnectedObjects).

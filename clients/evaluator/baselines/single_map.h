@@ -11,8 +11,7 @@
 
 namespace dhpmap::evaluator {
 
-/// One TSDF for everything, with a class for each voxel and no instances: rays merged by end voxel, as in Kimera.
-/// Carves free space if the configuration enables it.
+/// One TSDF for everything, with a class at each voxel and no instances: rays merged by end voxel, as in Kimera.
 class SingleMap final : public MappingSystem {
  public:
   SingleMap(std::string name, const SystemSetup& setup, std::unique_ptr<SemanticLayer> labels);

@@ -140,7 +140,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
         "pinhole_camera.h"}},
       {"mapping/fusion",
        {"band_size.h", "bundler.h", "grid_ray.h", "integrator.h", "kept_clear_points.h", "kept_clear_voxels.h",
-        "segment_bundles.h", "segment_parts.h"}},
+        "voxel_journal.h", "segment_bundles.h", "segment_parts.h"}},
       {"mapping/space", {"free_space_finder.h", "presence.h"}},
       {"mapping/plausibility", {"frame_check.h", "frame_judge.h"}},
       {"mapping/tracking", {"activity.h", "overlap_table.h", "tracker.h", "visibility.h"}},

@@ -230,6 +230,24 @@ TEST_F(LaterVersionTest, ARetiredKeyIsReadAtItsDefaultAndTheMapGoesOn) {
   ExpectStored(*next.published());
 }
 
+TEST_F(LaterVersionTest, AMapThatWasCarvedGoesOnWithoutCarvingAndSaysSo) {
+  Open();
+  CreateSample("house");
+  store_ = nullptr;
+  AddConfigKey("house", "integration.carving", "true");
+  Open();
+  auto loaded = store_->LoadMap("house");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
+  const std::vector<std::string> left_out = {"integration.carving = true"};
+  EXPECT_EQ((*loaded)->info().config.left_out, left_out);
+  EXPECT_EQ((*store_->ListMaps())[0].info.config.left_out, left_out);
+  Map next(*loaded);
+  next.mutable_info().num_frames += 1;
+  ASSERT_TRUE(store_->Commit(**loaded, *next.Publish(20), Durability::kNormal).ok());
+  Open();
+  ExpectStored(*next.published());
+}
+
 TEST_F(LaterVersionTest, AMapWithARetiredSettingIsRefusedWithWhatToDoAndIsLeftAsItIs) {
   Open();
   CreateSample("house");

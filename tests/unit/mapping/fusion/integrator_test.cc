@@ -209,40 +209,6 @@ TEST(Integrator, ColourOfASurfaceIsThatOfItsPixels) {
   EXPECT_GT(num_checked, 1000);
 }
 
-TEST(Integrator, CarvingClearsAnObjectThatIsGoneAndLeavesTheWall) {
-  MapConfig config;
-  Submap submap = EmptySubmap(config);
-  const Scene with_sphere = SphereInFrontOfWall();
-  const Scene without{{with_sphere.solids[1]}};
-  Fuse(FrameOf(with_sphere, {0, 0, 1}, {2, 0, 1}), config, submap);
-  submap.UpdateBoundingSphere();
-  const auto solid_voxels = [&](const Solid& solid) {
-    int n = 0;
-    for (const BlockEntry& entry : submap.blocks().entries()) {
-      for (int i = 0; i < kBlockVoxels; ++i) {
-        const Eigen::Vector3d centre = VoxelCentre(VoxelIn(entry.index, i), config.voxel_size_m);
-        if (std::abs(solid.Distance(centre)) < 0.02 && entry.tsdf->IsObserved(i) &&
-            entry.tsdf->distance_m[static_cast<std::size_t>(i)] < 0.03f)
-          ++n;
-      }
-    }
-    return n;
-  };
-  const int sphere_before = solid_voxels(with_sphere.solids[0]);
-  ThreadPool pool(1);
-  Bundler bundler(config.integration, pool);
-  const PanopticFrame frame = FrameOf(without, {0, 0, 1}, {2, 0, 1});
-  const RayOrigin origin(frame.T_map_sensor.translation(), config.voxel_size_m);
-  for (int i = 0; i < 3; ++i) {
-    const auto& segments = bundler.BundleFrame(frame, frame.T_map_sensor, config.voxel_size_m);
-    IntegrateSegment(segments[0], origin, kClass, config.integration, submap);
-    CarveFreeSpace(segments, origin, config.integration, submap);
-  }
-  ASSERT_GT(sphere_before, 200);
-  EXPECT_LT(solid_voxels(with_sphere.solids[0]), sphere_before / 20);
-  EXPECT_GT(solid_voxels(without.solids[0]), 500);
-}
-
 TEST(IntegrateSegment, WhatIsSeenInAContradictedPlaceBeginsAnew) {
   const MapConfig config;
   const Eigen::Vector3d eye(0, 0, 1), target(2, 0, 1);

@@ -81,7 +81,8 @@ class AssignedParts : public ::testing::Test {
     std::vector<Assignment> assignments;
     for (const SubmapId id : to) assignments.push_back({.submap = id});
     ASSERT_EQ(segments.size(), assignments.size());
-    FuseFrame(frame, segments, assignments, map_, pool_);
+    FrameJournal journal;
+    FuseFrame(frame, segments, assignments, map_, pool_, journal);
   }
 
   /// Observed voxels around the left ball and around the right one.

@@ -183,21 +183,6 @@ TEST(KeptClearRegions, LeaveWhatIsThereAndKeepOutWhatWouldComeBackIntoAClearedPl
   EXPECT_EQ(CountSeen(*session.Now(), {kAroundChair}).inside, 0);
 }
 
-TEST(KeptClearRegions, AreNotCarvedByRaysThatPassThroughThem) {
-  for (const bool is_kept : {false, true}) {
-    MapInfo info = Info();
-    info.config.integration.carving = true;
-    Session session(info);
-    session.Walk(RoomWithChair(), 8);
-    const auto before = session.Now();
-    ASSERT_GT(CountSeen(*before, {kAroundChair}).inside, 1000);
-    if (is_kept) Keep(kAroundChair, "chair", session);
-    session.Walk(EmptyRoom(), 8);
-    const bool is_same = HoldsTheSame(Where::kInside, *before, *session.Now(), {kAroundChair});
-    EXPECT_EQ(is_same, is_kept);
-  }
-}
-
 TEST(KeptClearRegions, HaveNothingInThemThatIsGoneForBeingLookedThrough) {
   for (const bool is_kept : {false, true}) {
     Session session;

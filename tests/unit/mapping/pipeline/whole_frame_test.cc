@@ -124,6 +124,26 @@ TEST(WholeFrame, LeavesTheMapAsItWasWhenAWorkerOfThePoolFails) {
   EXPECT_GT(FailEveryStep(3, 5, 29, false), 5);
 }
 
+/// Nobody else holds the state, so blocks are written in place: what a failed frame wrote must be taken back, or the
+/// frame would be in the map twice.
+TEST(WholeFrame, TakesBackWhatItWroteInPlaceWhicheverAllocationFails) {
+  for (const int num_threads : {1, 3}) {
+    MapBuilder builder(BallInfo(), num_threads), untroubled(BallInfo(), num_threads);
+    for (MapBuilder* b : {&builder, &untroubled}) ASSERT_TRUE(b->Integrate(BallFrame(0)).ok());
+    const PanopticFrame second = BallFrame(1);
+    int num_failed = 0;
+    for (std::int64_t n = 1;; n += 37, ++num_failed) {
+      allocations_left = n;
+      const auto report = builder.Integrate(second);
+      allocations_left = -1;
+      if (report.ok()) break;
+    }
+    EXPECT_GT(num_failed, 5);
+    ASSERT_TRUE(untroubled.Integrate(second).ok());
+    EXPECT_TRUE(MapsAreEqual(*builder.map().Freeze(), *untroubled.map().Freeze()));
+  }
+}
+
 TEST(WholeFrame, ToldToStopLeavesTheMapAsItWas) {
   MapBuilder builder(BallInfo(), 2);
   ASSERT_TRUE(builder.Integrate(BallFrame(0)).ok());

@@ -31,7 +31,7 @@ TEST_F(GatewayTest, GetPutsThePathIntoTheRequestAndAnswersJson) {
 }
 
 TEST_F(GatewayTest, PostTakesJsonUnderCurlsDefaultContentType) {
-  const std::string body = R"({"map_id":"home","config":{"voxelSizeM":0.05,"integration":{"carving":true}}})";
+  const std::string body = R"({"map_id":"home","config":{"voxelSizeM":0.05,"integration":{"antiGrazing":true}}})";
   for (const char* type :
        {"application/json", "application/x-www-form-urlencoded", "Application/JSON; charset=utf-8"}) {
     const http::HttpAnswer answer = client->Ask("POST", "/v1/maps", body, {{"Content-Type", type}});
@@ -41,7 +41,7 @@ TEST_F(GatewayTest, PostTakesJsonUnderCurlsDefaultContentType) {
   const auto heard = Heard<v1::CreateMapRequest>(4);
   EXPECT_EQ(heard.map_id(), "home");
   EXPECT_DOUBLE_EQ(heard.config().voxel_size_m(), 0.05);
-  EXPECT_TRUE(heard.config().integration().carving());
+  EXPECT_TRUE(heard.config().integration().anti_grazing());
 }
 
 TEST_F(GatewayTest, LargeBodiesUnderCurlsDefaultTypeAreNoForms) {

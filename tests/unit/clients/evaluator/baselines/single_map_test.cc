@@ -110,28 +110,6 @@ TEST_P(SingleMapTest, RefusesAFrameThatIsNotValid) {
   EXPECT_TRUE(system->Surface().mesh.vertices_m.empty());
 }
 
-/// Vertices on the ball that was before the wall.
-std::int64_t CountBall(const LabelledSurface& surface) {
-  return std::count_if(surface.mesh.vertices_m.begin(), surface.mesh.vertices_m.end(),
-                       [](const Eigen::Vector3f& p) { return p.x() < 2.0f; });
-}
-
-TEST(Kimera, ClearsWhatIsNoLongerThereIfItCarves) {
-  const PanopticFrame with = WallFrameFrom({0, 0, 1}, kWallClass);
-  PanopticFrame without = with;
-  const Scene wall{{BallBeforeWall().solids[1]}};
-  without.camera = Render(wall, SmallCamera(), with.T_map_sensor).camera;
-  std::vector<PanopticFrame> frames{with};
-  frames.insert(frames.end(), 20, without);
-  const std::int64_t num_before = CountBall(MapWith(&MakeKimera, {with}));
-  ASSERT_GT(num_before, 100);
-  EXPECT_GT(CountBall(MapWith(&MakeKimera, frames)), num_before * 9 / 10);
-  const Maker carving = +[](const SystemSetup& setup) { return MakeKimeraWithCarving(setup); };
-  const LabelledSurface carved = MapWith(carving, frames);
-  EXPECT_LT(CountBall(carved), num_before / 2);
-  EXPECT_GT(CountWall(carved, kWallClass), 1000) << "what is there stays";
-}
-
 INSTANTIATE_TEST_SUITE_P(Baselines, SingleMapTest, ::testing::Values(&MakeKimera, &MakeVotes),
                          [](const auto& param_info) { return param_info.index == 0 ? "Kimera" : "Votes"; });
 
