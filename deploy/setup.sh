@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Installs what the build needs: Debian 12 packages, and the google/api protos, which Debian ships only inside a
 # Go -dev package (unpacked here without its dependencies). Asks nothing, skips what is there, safe to run again.
-#   deploy/setup.sh [--quiet] [--checks] [--browser] [--postgres] [--packaging]
+#   deploy/setup.sh [--quiet] [--checks] [--browser] [--postgres] [--packaging] [--fleet]
 # --checks adds what deploy/check.sh and the sanitizers need and a build does not: clang, its formatter, its tidy; systemd.
 # --browser adds what tests of the viewer need: Chromium, its driver, and Selenium.
 # --postgres adds a PostgreSQL server: tests of the store on it start their own, and skip without.
 # --packaging adds what makes and tries Debian packages and images.
+# --fleet adds what deploy/fleet runs: PostgreSQL under Patroni, etcd, and a proxy.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -30,6 +31,7 @@ postgres_packages=(postgresql)
 packaging_packages=(
   debhelper dh-python pybuild-plugin-pyproject python3-all help2man po-debconf lintian mmdebstrap iproute2 systemd prometheus
 )
+fleet_packages=(postgresql patroni etcd-server haproxy)
 googleapis_package=golang-github-gogo-googleapis-dev  # the grpc-gateway one is older and has no google.rpc.ErrorInfo
 googleapis_dir=build/googleapis
 
@@ -41,8 +43,9 @@ for argument in "$@"; do
     --browser) packages+=("${browser_packages[@]}") ;;
     --postgres) packages+=("${postgres_packages[@]}") ;;
     --packaging) packages+=("${packaging_packages[@]}") ;;
+    --fleet) packages+=("${fleet_packages[@]}") ;;
     *)
-      echo "usage: deploy/setup.sh [--quiet] [--checks] [--browser] [--postgres] [--packaging]" >&2
+      echo "usage: deploy/setup.sh [--quiet] [--checks] [--browser] [--postgres] [--packaging] [--fleet]" >&2
       exit 2
       ;;
   esac

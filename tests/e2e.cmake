@@ -10,10 +10,10 @@ add_dependencies(e2e_test dhpmap-server dhpmap dhpmap-simulate dhpmap-evaluate)
 dhpmap_tests(ROOM e2e/service COST 8 LIBS dhpmap_server_process dhpmap_http_client dhpmap_tls_client dhpmap_test_scenes)
 add_dependencies(e2e_service_test dhpmap-server dhpmap)
 
-# What operators read and load, against real programs: docs/operate.md, deploy/monitoring.
+# What operators read and load, against real programs: docs/operate.md, docs/fleet.md, deploy/monitoring.
 if(NOT DHPMAP_SANITIZE)
   add_custom_target(e2e_operate_test DEPENDS dhpmap-server dhpmap dhpmap-simulate)
-  foreach(name operate_page monitoring)
+  foreach(name operate_page fleet_page monitoring)
     dhpmap_room_of_tests(ROOM e2e_${name} TARGET e2e_operate_test COST 5
       COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/e2e/${name}_test.py ${CMAKE_BINARY_DIR}/bin)
   endforeach()

@@ -7,6 +7,7 @@
 #include "dhpmap/v1/server_service.grpc.pb.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/services.h"
+#include "server/wire/mapping_conversion.h"
 
 namespace dhpmap {
 namespace {
@@ -49,6 +50,9 @@ void TellFeed(const std::string& map, const SessionStatus& session, std::int64_t
   feed.set_num_frames(counts.num_fused);
   feed.set_num_refused(counts.num_refused);
   feed.set_frames_per_s(counts.frames_per_s);
+  feed.set_num_implausible(counts.num_implausible);
+  if (counts.last_warning) *feed.mutable_last_warning() = ToProto(*counts.last_warning);
+  feed.set_num_plausible_since(counts.num_plausible_since);
 }
 
 class ServerService final : public CountedService<v1::ServerService> {

@@ -37,18 +37,9 @@ v1::FrameFit FitToProto(const FrameFit& fit) {
   return proto;
 }
 
-v1::FrameWarning WarningToProto(const FrameWarning& warning) {
-  v1::FrameWarning proto;
-  v1::FrameWarning::Fault fault = v1::FrameWarning::FAULT_UNSPECIFIED;
-  (void)v1::FrameWarning::Fault_Parse(std::string(FaultName(warning.fault)), &fault);
-  proto.set_fault(fault);
-  proto.set_message(ToValidUtf8(warning.message));
-  return proto;
-}
-
 void SetCheck(const FrameCheck& check, v1::IntegrateFramesResponse& ack) {
   if (check.fit) *ack.mutable_fit() = FitToProto(*check.fit);
-  for (const FrameWarning& warning : check.warnings) *ack.add_warnings() = WarningToProto(warning);
+  for (const FrameWarning& warning : check.warnings) *ack.add_warnings() = ToProto(warning);
 }
 
 }  // namespace
@@ -122,6 +113,15 @@ v1::FinishProgress ToProto(const FinishProgress& progress) {
     case FinishStage::kRefining: proto.set_stage(v1::FinishProgress::REFINING); break;
     case FinishStage::kStoring: proto.set_stage(v1::FinishProgress::STORING); break;
   }
+  return proto;
+}
+
+v1::FrameWarning ToProto(const FrameWarning& warning) {
+  v1::FrameWarning proto;
+  v1::FrameWarning::Fault fault = v1::FrameWarning::FAULT_UNSPECIFIED;
+  (void)v1::FrameWarning::Fault_Parse(std::string(FaultName(warning.fault)), &fault);
+  proto.set_fault(fault);
+  proto.set_message(ToValidUtf8(warning.message));
   return proto;
 }
 

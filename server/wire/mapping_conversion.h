@@ -18,6 +18,7 @@ v1::IntegrateFramesResponse AnswerOf(std::int64_t sequence, const FeedProgress& 
 /// The acknowledgement of the client's frame `sequence`.
 v1::IntegrateFramesResponse AckOf(std::int64_t sequence, const FrameOutcome& outcome);
 
+v1::FrameWarning ToProto(const FrameWarning& warning);
 v1::FinishMappingResponse ToProto(const FinishOutcome& outcome);
 v1::FeedSession ToProto(const SessionStatus& status, const std::string& map);
 v1::FinishProgress ToProto(const FinishProgress& progress);

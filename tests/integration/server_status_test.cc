@@ -57,6 +57,40 @@ TEST(ServerStatus, IsOfTheServerItsDiskAndItsFeeds) {
   EXPECT_OK(feeder.Finish());
 }
 
+TEST(ServerStatus, TellsTheLastWarningOfAFeed) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
+  const auto feed_of = [&server](const std::string& session) {
+    const auto status = server.Call(&ServerStub::GetServerStatus, v1::GetServerStatusRequest());
+    if (status.ok()) {
+      for (const v1::ActiveFeed& feed : status->feeds()) {
+        if (feed.name() == "maps/room/sessions/" + session) return feed;
+      }
+    }
+    return v1::ActiveFeed();
+  };
+  const auto fed = [](Feeder& feeder, int sequence, int frame) {
+    return feeder.Send(sequence, frame) && feeder.Read().has_value();
+  };
+  for (const bool are_refused : {false, true}) {
+    const std::string session = are_refused ? "strict" : "lenient";
+    Feeder feeder(server, "room", {.session = session, .refuse_implausible = are_refused});
+    ASSERT_TRUE(fed(feeder, 1, 0));
+    EXPECT_EQ(feed_of(session).num_implausible(), 0);
+    EXPECT_FALSE(feed_of(session).has_last_warning());
+    ASSERT_TRUE(fed(feeder, 2, 0));
+    ASSERT_TRUE(fed(feeder, 3, 1));
+    const v1::ActiveFeed feed = feed_of(session);
+    EXPECT_EQ(feed.num_refused(), are_refused ? 1 : 0);
+    EXPECT_EQ(feed.num_implausible(), 1);
+    EXPECT_EQ(feed.last_warning().fault(), v1::FrameWarning::STAMP_REPEATED);
+    EXPECT_EQ(feed.num_plausible_since(), 1);
+    feeder.HalfClose();
+    EXPECT_OK(feeder.Finish());
+  }
+}
+
 TEST(ServerStatus, OfADiskThatIsNotKnownIsToldSo) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {}, {.database = "/no/such/folder/maps.db"});

@@ -18,15 +18,9 @@ constexpr std::int64_t kDiskFail_bytes = 256 * kMebibyte;
 constexpr std::int64_t kDiskWarn_bytes = 1024 * kMebibyte;
 /// An upgrade copies the database and needs this much more.
 constexpr std::int64_t kBesideCopy_bytes = 64 * kMebibyte;
-constexpr double kSilence_s = 5;
-constexpr double kRefusedShare = 0.05;
 
 /// "0.2" of "0.2.0".
 std::string MinorOf(const std::string& version) { return version.substr(0, version.rfind('.')); }
-
-std::string NameOf(const client::ActiveFeed& feed) {
-  return feed.map + (feed.session.empty() ? ", of no session" : ", session " + feed.session);
-}
 
 }  // namespace
 
@@ -115,32 +109,6 @@ Finding JudgeSaving(double behind_s, double max_behind_s) {
     finding.advice = "beyond " + Fixed(max_behind_s, 0) + " s frames are refused: is the disk slow or full?";
   }
   return finding;
-}
-
-std::vector<Finding> JudgeFeeds(const std::vector<client::ActiveFeed>& feeds) {
-  std::vector<Finding> findings;
-  double frames_per_s = 0;
-  for (const client::ActiveFeed& feed : feeds) {
-    frames_per_s += feed.frames_per_s;
-    const auto num_all = static_cast<double>(feed.num_frames + feed.num_refused);
-    if (feed.silent_s > kSilence_s) {
-      findings.push_back({.health = Health::kWarn,
-                          .what = "feed",
-                          .text = NameOf(feed) + ": silent for " + Fixed(feed.silent_s, 0) + " s",
-                          .advice = "does the robot stand still, or has it lost its connection?"});
-    } else if (static_cast<double>(feed.num_refused) > kRefusedShare * num_all) {
-      findings.push_back({.health = Health::kWarn,
-                          .what = "feed",
-                          .text = NameOf(feed) + ": " + std::to_string(feed.num_refused) + " of " + Fixed(num_all, 0) +
-                                  " frames were refused",
-                          .advice = "the acknowledgements say why; `dhpmap sessions list` has more"});
-    }
-  }
-  if (!findings.empty()) return findings;
-  if (feeds.empty()) return {{.what = "feeds", .text = "none is active"}};
-  return {{.what = "feeds",
-           .text = std::to_string(feeds.size()) + (feeds.size() == 1 ? " is" : " are") + " active, " +
-                   Fixed(frames_per_s, 1) + " frames/s"}};
 }
 
 }  // namespace dhpmap

@@ -33,6 +33,21 @@ void FeedTally::OnFused(std::int64_t sequence, std::int64_t num_points, std::int
   while (fused_ns_.size() > kMaxRemembered || fused_ns_.front() <= now_ns - kRate_ns) fused_ns_.pop_front();
 }
 
+void FeedTally::OnChecked(const std::vector<FrameWarning>& warnings) {
+  const MutexLock lock(mutex_);
+  if (warnings.empty()) {
+    if (counts_.last_warning) ++counts_.num_plausible_since;
+    return;
+  }
+  ++counts_.num_implausible;
+  try {
+    counts_.last_warning = warnings.front();
+    counts_.num_plausible_since = 0;
+  } catch (const std::bad_alloc&) {
+    return;  // of the words alone
+  }
+}
+
 void FeedTally::OnRefused() {
   const MutexLock lock(mutex_);
   ++counts_.num_refused;

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "mapping/base/mutex.h"
 #include "mapping/base/transform.h"
+#include "mapping/plausibility/frame_check.h"
 #include "server/app/feeds/sensor_path.h"
 
 namespace dhpmap {
@@ -20,6 +22,9 @@ struct FeedCounts {
   std::optional<std::int64_t> accepted_sequence;                    ///< of the last fused frame
   std::int64_t last_seen_ns = 0;                                    ///< time of the last message, UTC; 0 for none
   double frames_per_s = 0;                                          ///< over the last FeedTally::kRate_s
+  std::int64_t num_implausible = 0;                                 ///< frames with a warning, fused or refused
+  std::optional<FrameWarning> last_warning;                         ///< the first one of the newest of these
+  std::int64_t num_plausible_since = 0;                             ///< checked frames after it
 };
 
 /// Collects these over successive streams of a session. Thread-safe.
@@ -32,6 +37,8 @@ class FeedTally {
   void OnMessage(std::size_t num_bytes, std::int64_t now_ns) DHPMAP_EXCLUDES(mutex_);
   void OnFused(std::int64_t sequence, std::int64_t num_points, std::int64_t now_ns,
                const Transform& T_map_sensor = Transform::Identity()) DHPMAP_EXCLUDES(mutex_);
+  /// The warnings of a frame that was checked, fused or not; none: it is plausible.
+  void OnChecked(const std::vector<FrameWarning>& warnings) DHPMAP_EXCLUDES(mutex_);
   void OnRefused() DHPMAP_EXCLUDES(mutex_);
   void OnDuplicate() DHPMAP_EXCLUDES(mutex_);
 

@@ -133,6 +133,9 @@ Result<FrameReport> FrameIntake::TakeFrame(Arrival& arrival) {
     return Fuse(arrival.feed.get(), arrived.sequence, *arrived.frame);
   });
   if (arrived.frame.ok()) arrival.check = writer_.builder.TakeCheck();
+  // A frame that is refused for another reason says nothing on its plausibility.
+  if (arrival.feed && (report.ok() || !arrival.check.IsPlausible()))
+    arrival.feed->tally().OnChecked(arrival.check.warnings);
   if (!is_recorded) return report;
   if (!report.ok()) recording.Note([&](FrameRecorder& recorder) { recorder.OnRefused(report.status()); });
   else if (report->refinement) recording.Note([](FrameRecorder& recorder) { recorder.OnRefined(); });

@@ -15,7 +15,13 @@ ActiveFeed FeedOf(const v1::ActiveFeed& proto) {
   ActiveFeed feed{.silent_s = proto.silent_s(),
                   .num_frames = proto.num_frames(),
                   .num_refused = proto.num_refused(),
-                  .frames_per_s = proto.frames_per_s()};
+                  .frames_per_s = proto.frames_per_s(),
+                  .num_implausible = proto.num_implausible(),
+                  .num_plausible_since = proto.num_plausible_since()};
+  if (proto.has_last_warning()) {
+    feed.last_fault = v1::FrameWarning::Fault_Name(proto.last_warning().fault());
+    feed.last_warning = proto.last_warning().message();
+  }
   constexpr std::string_view kMaps = "maps/", kSessions = "/sessions/";
   const std::string& name = proto.name();
   const std::size_t sessions = name.find(kSessions);

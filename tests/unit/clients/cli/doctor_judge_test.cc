@@ -90,6 +90,29 @@ TEST(Doctor, EachFeedThatIsNotWellIsNamed) {
   ExpectHealth(JudgeFeeds({})[0], Health::kOk);
 }
 
+TEST(Doctor, SaysHowToMendAFeedOfFramesWithWarnings) {
+  client::ActiveFeed feed{.map = "hall",
+                          .session = "anna",
+                          .num_frames = 30,
+                          .num_implausible = 20,
+                          .last_fault = "TRANSLATION_IN_MILLIMETRES",
+                          .last_warning = "the translation looks like millimetres"};
+  const auto judged = [&feed] { return JudgeFeeds({feed}).at(0); };
+  ExpectHealth(judged(), Health::kWarn);
+  EXPECT_NE(judged().text.find("20 of 30 frames"), std::string::npos) << judged().text;
+  EXPECT_NE(judged().text.find(feed.last_warning), std::string::npos) << judged().text;
+  EXPECT_NE(judged().advice.find("divide"), std::string::npos) << judged().advice;
+  feed.num_refused = 20;
+  EXPECT_NE(judged().advice.find("divide"), std::string::npos) << "why they are refused is more than that they are";
+  feed.num_refused = 0;
+  feed.last_fault = "A_FAULT_OF_A_LATER_SERVER";
+  EXPECT_FALSE(judged().advice.empty());
+  feed.num_plausible_since = 99;
+  ExpectHealth(judged(), Health::kWarn);
+  feed.num_plausible_since = 100;
+  ExpectHealth(judged(), Health::kOk);
+}
+
 TEST(Doctor, TellsTheWorstAndPrintsALineEach) {
   const Finding ok{.what = "clock", .text = "right"};
   const Finding warn{.health = Health::kWarn, .what = "disk", .text = "full\x1b[31m \"soon\"", .advice = "make room"};

@@ -142,6 +142,24 @@ TEST(FeedTally, TheRateIsThatOfTheLastSeconds) {
   EXPECT_NEAR(tally.Counts(now).frames_per_s, 500, 20);
 }
 
+TEST(FeedTally, KeepsTheLastWarningAndCountsWhatCameAfter) {
+  FeedTally tally;
+  tally.OnChecked({});
+  EXPECT_FALSE(tally.Counts(0).last_warning);
+  EXPECT_EQ(tally.Counts(0).num_plausible_since, 0) << "after no warning";
+  tally.OnChecked({{FrameFault::kStampRepeated, "again"}});
+  tally.OnChecked({});
+  tally.OnChecked({{FrameFault::kPoseInverted, "inverted"}, {FrameFault::kStampWentBack, "back"}});
+  tally.OnChecked({});
+  tally.OnChecked({});
+  const FeedCounts counts = tally.Counts(0);
+  EXPECT_EQ(counts.num_implausible, 2);
+  ASSERT_TRUE(counts.last_warning);
+  EXPECT_EQ(counts.last_warning->fault, FrameFault::kPoseInverted);
+  EXPECT_EQ(counts.last_warning->message, "inverted");
+  EXPECT_EQ(counts.num_plausible_since, 2);
+}
+
 TEST_F(FeedSeatsTest, AClientThatComesBackTakesThePlaceOfItsOwnOldConnection) {
   const auto first = *seats.Take(Request("robot"));
   const auto other_robot = *seats.Take(Request("other"));
