@@ -91,12 +91,6 @@ Status Serve(const ServerConfig& config, const Service& service) {
   DHPMAP_ASSIGN_OR_RETURN(
       const auto registry,
       MapRegistry::Open(*store, OpenMapOptionsOf(config, metrics, records.get(), spill), RegistryOptionsOf(config)));
-  for (const MapSummary& map : registry->List()) {
-    if (!map.damage.ok()) LogError("map '" + map.info.name + "' cannot be served: " + map.damage.ToString());
-    for (const std::string& setting : map.info.config.left_out) {
-      LogWarning("map '" + map.info.name + "' goes on without " + setting + ", which this version no longer has");
-    }
-  }
   const auto inflight = InflightBudgetOf(config);
   DHPMAP_ASSIGN_OR_RETURN(const auto gate, GateOf(config));
   DHPMAP_ASSIGN_OR_RETURN(const auto tls, TlsOf(config));
@@ -118,12 +112,14 @@ Status Serve(const ServerConfig& config, const Service& service) {
                  return metrics.Text(gauges);
                },
            .gate = gate}));
+  if (Fleet* const fleet = store->fleet()) fleet->Announce(FleetAddressOf(config, grpc->port()));
   grpc->SetServing(true);
   auto watchdog = FeedWatchdog(service, *grpc);
   const int signal = ServeUntilTold(service, DoorsText(config, *grpc, *gateway), tls.get(), *gate);
   LogInfo("got signal " + std::to_string(signal) + ": ending streams, storing what is fused");
   service.manager.TellStopping("storing what is fused");
   watchdog.reset();
+  if (const Status given = registry->HandAllOver(); !given.ok()) LogWarning(given.ToString());
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(config.shutdown_grace_s);
   grpc->Drain();
   gateway->Shutdown(config.shutdown_grace_s);

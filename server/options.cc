@@ -59,10 +59,12 @@ Result<std::unique_ptr<MapStore>> OpenStore(const ServerConfig& config, StorePro
     return FailedPrecondition(
         "store.memory_budget_mib needs a database file: a store on PostgreSQL keeps open maps in memory");
   }
-  LogWarning("the store on PostgreSQL is experimental: one server for each database, no verify, export or import");
-  return OpenPostgresStore(
-      config.db,
-      {.changes = ChangeLimitsOf(config), .edits = EditLimitsOf(config), .on_progress = std::move(on_progress)});
+  LogWarning("the store on PostgreSQL is experimental: no verify, export or import");
+  // Its address is announced when the door is open.
+  return OpenPostgresStore(config.db, {.changes = ChangeLimitsOf(config),
+                                       .edits = EditLimitsOf(config),
+                                       .on_progress = std::move(on_progress),
+                                       .fleet = {.version = DHPMAP_VERSION, .lease_s = config.fleet.lease_s}});
 }
 
 Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config) {
@@ -102,7 +104,8 @@ OpenMapOptions OpenMapOptionsOf(const ServerConfig& config, Metrics& metrics, Re
                  .on_commit =
                      [&metrics](double seconds, const Status& status) {
                        metrics.RecordCommit(status.code(), seconds);
-                       if (!status.ok()) LogError("commit failed, will be tried again: " + status.ToString());
+                       if (status.reason() == Reason("NOT_OWNER")) LogWarning(status.ToString());
+                       else if (!status.ok()) LogError("commit failed, will be tried again: " + status.ToString());
                      }},
       .pages = {.budget_bytes = std::int64_t{config.store.memory_budget_mib} << 20, .spill = std::move(spill)},
       .feeds = {.idle_s = config.mapping.feed_idle_s, .max_feeds = static_cast<std::size_t>(config.mapping.max_feeds)},
@@ -174,6 +177,10 @@ GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget
           .database = DatabaseFileOf(config),
           .max_behind_s = config.store.max_behind_s,
           .gate = std::move(gate)};
+}
+
+std::string FleetAddressOf(const ServerConfig& config, int grpc_port) {
+  return config.fleet.address.empty() ? WithPort(config.grpc.address, grpc_port) : config.fleet.address;
 }
 
 GrpcObserver ObserverOf(Metrics& metrics) {

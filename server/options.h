@@ -41,6 +41,8 @@ Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config);
 Result<std::shared_ptr<net::TlsContext>> TlsOf(const ServerConfig& config);
 GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight,
                           std::shared_ptr<auth::Gate> gate, std::shared_ptr<const net::TlsContext> tls);
+/// What the other servers on the same database, and their clients, call this one by.
+std::string FleetAddressOf(const ServerConfig& config, int grpc_port);
 GrpcObserver ObserverOf(Metrics& metrics);
 GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight, Metrics& metrics,
                                 std::shared_ptr<const net::TlsContext> tls);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -30,6 +31,12 @@ struct MapOwner {
   bool is_me = false;
 };
 
+/// A map and its owner; MapOwner::server is 0 if nobody owns it.
+struct OwnedMap {
+  std::string map;
+  MapOwner owner;
+};
+
 /// The processes that share a store. Each map has at most one owner, which alone writes it; each commit carries the
 /// owner's epoch and is refused once another has taken the map. Thread-safe. Calls ask the database unless they say
 /// otherwise: UNAVAILABLE if it does not answer.
@@ -37,10 +44,15 @@ class Fleet {
  public:
   virtual ~Fleet() = default;
 
+  /// Where this process can be reached, once its door is open; until then other servers cannot send it anything.
+  virtual void Announce(const std::string& address) { (void)address; }
   /// This process, as the others see it.
   [[nodiscard]] virtual FleetServer Me() const = 0;
   /// All that are alive, and the dead that still own maps.
   virtual Result<std::vector<FleetServer>> ListServers() = 0;
+
+  /// Up to `max` maps by name, from the first after `after` on, with the owners that the database names, dead ones too.
+  virtual Result<std::vector<OwnedMap>> ListOwners(const std::string& after, std::size_t max) = 0;
 
   /// The owner, if it is known and was confirmed recently enough to act on. Asks nobody, never blocks.
   [[nodiscard]] virtual std::optional<MapOwner> KnownOwner(const std::string& map) const = 0;
@@ -51,7 +63,11 @@ class Fleet {
   virtual void Forget(const std::string& map) = 0;
 
   /// Gives a map of ours up, once it is closed here, to a server or (0) to whoever asks first. OK if it is not ours.
+  /// FAILED_PRECONDITION if that server is dead or drains.
   virtual Status GiveUp(const std::string& map, std::int64_t to_server) = 0;
+  /// `on_lost(map)` is called with a map of ours that another process has taken: what is open of it must be closed. On
+  /// any thread, and must be quick. Replaces the last one, of which no call runs any more then. Empty: nobody is told.
+  virtual void OnLost(std::function<void(const std::string& map)> on_lost) { (void)on_lost; }
   /// Takes no more maps. Maps that are ours stay so until they are given up.
   virtual void StopTaking() = 0;
 
@@ -60,7 +76,8 @@ class Fleet {
   [[nodiscard]] virtual bool MayAnswer() const = 0;
 
   /// `on_change(map, revision)` is called, soon after another process has committed, for every map of `SetFollowed`, on
-  /// a thread of the fleet. Once, before the first call of SetFollowed.
+  /// a thread of the fleet; also for each map that comes to these, and with revision 0 for one that is gone. Once,
+  /// before the first call of SetFollowed.
   virtual void OnChange(std::function<void(const std::string& map, std::int64_t revision)> on_change) = 0;
   /// The maps whose commits by others are of interest; replaces the last set.
   virtual void SetFollowed(std::vector<std::string> maps) = 0;

@@ -180,10 +180,14 @@ class MemoryStore final : public MapStore {
   MemoryStore(const ChangeHistoryLimits& limits, const EditLogLimits& edits, PassingTime time)
       : limits_(limits), edit_limits_(edits), time_(OrSteadyClock(std::move(time))) {}
 
-  Result<std::vector<StoredMap>> ListMaps() override {
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
     const MutexLock lock(mutex_);
     std::vector<StoredMap> maps;
-    for (const auto& [name, map] : maps_) maps.push_back(Describe(*map.state));
+    for (auto map = maps_.upper_bound(after); map != maps_.end() && maps.size() < max; ++map) {
+      const MapSnapshot& state = *map->second.state;
+      maps.push_back(
+          {.info = state.info(), .num_submaps = static_cast<std::int64_t>(state.submaps().size()), .damage = {}});
+    }
     return maps;
   }
 

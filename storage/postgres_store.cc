@@ -4,8 +4,12 @@
 #include <chrono>
 #include <utility>
 
+#include "mapping/map/history_id.h"
 #include "storage/commit/store_number.h"
 #include "storage/postgres/catalog.h"
+#include "storage/postgres/fleet/fleet_member.h"
+#include "storage/postgres/fleet/peers.h"
+#include "storage/postgres/fleet/takeover.h"
 #include "storage/postgres/history_reader.h"
 #include "storage/postgres/map_ownership.h"
 #include "storage/postgres/map_reader.h"
@@ -23,23 +27,33 @@ Status NotThereYet(const char* what) {
   return {StatusCode::kUnimplemented, std::string("a store on PostgreSQL cannot ") + what + " yet"};
 }
 
-postgres::ConnectionOptions ConnectionOptionsOf(const std::string& url, const PostgresStoreOptions& options) {
+postgres::ConnectionOptions ConnectionOptionsOf(const std::string& url, const PostgresStoreOptions& options,
+                                                std::int64_t server) {
   return {.url = url,
           .schema = options.schema,
+          .application = postgres::ApplicationName(server),
           .patience = std::chrono::milliseconds(static_cast<std::int64_t>(options.answer_s * 1000))};
 }
 
 class PostgresStore final : public MapStore {
  public:
-  PostgresStore(const std::string& url, const PostgresStoreOptions& options)
+  PostgresStore(const postgres::ConnectionOptions& connection, const PostgresStoreOptions& options, std::int64_t server)
       : limits_{options.changes, options.edits, options.dead_grace_s},
-        pool_(ConnectionOptionsOf(url, options), options.max_connections),
-        maps_(pool_, options.passing_time_ns),
-        writer_(pool_, maps_, limits_, ConnectionOptionsOf(url, options).patience),
+        pool_(connection, options.max_connections),
+        peers_(server, options.fleet.lease_s, options.fleet.time_ns),
+        maps_(pool_, peers_, options.passing_time_ns),
+        writer_(pool_, maps_, limits_, connection.patience),
+        fleet_(pool_, peers_, maps_, connection),
         sweeper_(pool_) {}
 
-  Result<std::vector<StoredMap>> ListMaps() override {
-    return pool_.Read<std::vector<StoredMap>>([](Connection& c) { return postgres::ListCatalog(c); });
+  Status Start(const FleetOptions& fleet) { return fleet_.Start(fleet.address, fleet.version, fleet.beats_by_itself); }
+  [[nodiscard]] Fleet* fleet() override { return &fleet_; }
+
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return pool_.Read<std::vector<StoredMap>>([&](Connection& c) { return postgres::ListCatalog(c, after, max); });
+  }
+  Result<std::vector<std::string>> ListMapNames(const std::string& after, std::size_t max) override {
+    return pool_.Read<std::vector<std::string>>([&](Connection& c) { return postgres::ListNames(c, after, max); });
   }
   Result<StoredMap> GetMap(const std::string& name) override {
     return pool_.Read<StoredMap>([&](Connection& c) { return postgres::FindInCatalog(c, name); });
@@ -47,7 +61,8 @@ class PostgresStore final : public MapStore {
 
   /// Who loads a map will write it.
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
-    DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<postgres::OwnedMap> map, maps_.Own(name));
+    DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<postgres::OwnedMap> map,
+                            maps_.Own(name, postgres::MapOwnership::For::kLoading));
     auto state = pool_.Read<std::shared_ptr<const MapSnapshot>>([&](Connection& c) {
       ThreadPool threads(NumCodecThreads());
       return postgres::ReadMapState(c, name, map->key, map->number, threads);
@@ -101,8 +116,10 @@ class PostgresStore final : public MapStore {
  private:
   const postgres::KeepingLimits limits_;
   postgres::Pool pool_;
+  postgres::Peers peers_;
   postgres::MapOwnership maps_;
   postgres::Writer writer_;
+  postgres::FleetMember fleet_;
   postgres::Sweeper sweeper_;  // last, as it uses the others
 };
 
@@ -111,11 +128,15 @@ class PostgresStore final : public MapStore {
 bool IsPostgresUrl(const std::string& db) { return db.starts_with("postgresql://") || db.starts_with("postgres://"); }
 
 Result<std::unique_ptr<MapStore>> OpenPostgresStore(const std::string& url, const PostgresStoreOptions& options) {
+  const auto server = static_cast<std::int64_t>(DrawHistoryId());  // random, so that no two processes have the same
+  const postgres::ConnectionOptions connecting = ConnectionOptionsOf(url, options, server);
   {
-    DHPMAP_ASSIGN_OR_RETURN(Connection connection, Connection::Open(ConnectionOptionsOf(url, options)));
+    DHPMAP_ASSIGN_OR_RETURN(Connection connection, Connection::Open(connecting));
     DHPMAP_RETURN_IF_ERROR(postgres::PrepareSchema(connection, options.schema, options.on_progress));
   }
-  return std::unique_ptr<MapStore>(std::make_unique<PostgresStore>(url, options));
+  auto store = std::make_unique<PostgresStore>(connecting, options, server);
+  DHPMAP_RETURN_IF_ERROR(store->Start(options.fleet));
+  return std::unique_ptr<MapStore>(std::move(store));
 }
 
 }  // namespace dhpmap

@@ -10,28 +10,41 @@
 
 namespace dhpmap {
 
+/// This process among those on the same database.
+struct FleetOptions {
+  std::string address = {};  ///< see Fleet::Announce
+  std::string version = {};  ///< of the program
+  /// A process that has not beaten for so long is dead to the others, which take its maps over.
+  double lease_s = 2;
+  bool beats_by_itself = true;                 ///< false: for tests, which call FleetMember::Beat
+  std::function<std::int64_t()> time_ns = {};  ///< of leases; empty: std::chrono::steady_clock
+};
+
 struct PostgresStoreOptions {
   std::string schema = "dhpmap";  ///< of its tables: letters, digits and _
   ChangeHistoryLimits changes = {};
   EditLogLimits edits = {};
   /// Blobs that nobody refers to any more stay so long, by the time that servers have the map open.
   double dead_grace_s = 600;
-  int max_connections = 8;
+  int max_connections = 8;  ///< besides one for beats
   /// For an answer of the database; and, if it was lost, for learning what became of a commit.
   double answer_s = 30;
   /// Reports the progress of migrations while opening; may be empty.
   std::function<void(const std::string& message)> on_progress = {};
   /// Clock of the ages of kept data, in ns; empty: std::chrono::steady_clock.
   std::function<std::int64_t()> passing_time_ns = {};
+  FleetOptions fleet = {};
 };
 
 /// Opens or creates a store in a PostgreSQL database (14 or later). `url`: postgresql://..., as libpq takes it; it is
 /// in no message. UNAVAILABLE if the database does not answer; FAILED_PRECONDITION, reason NEWER_SCHEMA, or without
 /// rights.
 ///
-/// One process for each database: one that opens a map takes it from another, whose commits are then refused
-/// FAILED_PRECONDITION, reason DATABASE_IN_USE. Both durabilities are full. Not there yet, answered UNIMPLEMENTED:
-/// VerifyMap, ExportMap, ImportMap. Backup: NOT_A_FILE.
+/// Any number of processes for each database; MapStore::fleet() tells who owns which map. Who loads or writes a map
+/// takes it, if no living process has it: else UNAVAILABLE, reason NOT_OWNER, with the address in the metadata as
+/// `owner`. A commit of a map that another process has taken is refused so, too. Closing the store gives all maps up.
+/// Both durabilities are full. Not there yet, answered UNIMPLEMENTED: VerifyMap, ExportMap, ImportMap. Backup:
+/// NOT_A_FILE.
 Result<std::unique_ptr<MapStore>> OpenPostgresStore(const std::string& url, const PostgresStoreOptions& options = {});
 
 /// Whether a database is named by a URL of PostgreSQL, and not as a file.

@@ -27,6 +27,7 @@
 #include "storage/paging/map_layers.h"
 #include "storage/paging/tile_blobs.h"
 #include "storage/paging/tile_cells.h"
+#include "storage/rows/map_pages.h"
 #include "storage/rows/map_rows.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/snapshot_reader.h"
@@ -72,18 +73,6 @@ Result<StoredMap> DescribeStored(Database& database, const std::string& name) {
   return map;
 }
 
-/// Whether an error comes from one map's rows, not from the whole database.
-bool IsDamage(const Status& status) {
-  return status.code() == StatusCode::kDataLoss || status.code() == StatusCode::kFailedPrecondition;
-}
-
-StoredMap DamagedMap(const std::string& name, const Status& why) {
-  StoredMap map;
-  map.info.name = name;
-  map.damage = why;
-  return map;
-}
-
 class SqliteStore final : public MapStore {
  public:
   SqliteStore(std::unique_ptr<Writer> writer, std::string path, sqlite::OpenMode reader_mode,
@@ -103,17 +92,11 @@ class SqliteStore final : public MapStore {
   SqliteStore(const SqliteStore&) = delete;
   SqliteStore& operator=(const SqliteStore&) = delete;
 
-  Result<std::vector<StoredMap>> ListMaps() override {
-    return Read<std::vector<StoredMap>>([](Database& database) -> Result<std::vector<StoredMap>> {
-      DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> names, ReadMapNames(database));
-      std::vector<StoredMap> maps;
-      for (const std::string& name : names) {
-        Result<StoredMap> map = DescribeStored(database, name);
-        if (!map.ok() && !IsDamage(map.status())) return map.status();
-        maps.push_back(map.ok() ? std::move(map).value() : DamagedMap(name, map.status()));
-      }
-      return maps;
-    });
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return Read<std::vector<StoredMap>>([&](Database& database) { return ReadMapPage(database, after, max); });
+  }
+  Result<std::vector<std::string>> ListMapNames(const std::string& after, std::size_t max) override {
+    return Read<std::vector<std::string>>([&](Database& database) { return ReadMapNamesAfter(database, after, max); });
   }
 
   Result<StoredMap> GetMap(const std::string& name) override {

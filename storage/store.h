@@ -36,13 +36,16 @@ struct NumberMarks {
 struct StoredMap {
   MapInfo info;
   std::int64_t num_submaps = 0;
+  LostRevisions lost_revisions;  ///< see MapStore::Reserve
+  // From GetMap only, as they are summed up over the submaps:
   std::int64_t num_tsdf_blocks = 0;
   std::int64_t num_label_blocks = 0;
-  std::int64_t blob_bytes = 0;   ///< size of the encoded tiles; a clone's shared tiles count again
-  LostRevisions lost_revisions;  ///< see MapStore::Reserve
+  std::int64_t blob_bytes = 0;  ///< size of the encoded tiles; a clone's shared tiles count again
   /// From ListMaps: why the map cannot be read; then only info.name is valid.
   Status damage;
 };
+
+StoredMap DamagedMap(const std::string& name, const Status& why);
 
 /// A defect of a stored map, and its place.
 struct MapFault {
@@ -180,8 +183,13 @@ class MapStore {
   /// The processes that share this store; null: there is this one only.
   [[nodiscard]] virtual Fleet* fleet() { return nullptr; }
 
-  /// By ascending name. Includes damaged maps, so that the others can be served.
-  virtual Result<std::vector<StoredMap>> ListMaps() = 0;
+  /// By ascending name, from the first after `after` on, at most `max`: fewer only at the end. Includes damaged maps,
+  /// so that the others can be served. Linear in the page, whatever the maps hold.
+  virtual Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) = 0;
+  /// All of them, page by page.
+  Result<std::vector<StoredMap>> ListMaps();
+  /// The names alone, likewise.
+  virtual Result<std::vector<std::string>> ListMapNames(const std::string& after, std::size_t max);
   virtual Result<StoredMap> GetMap(const std::string& name) = 0;
 
   /// Adds a complete map. ALREADY_EXISTS if its name is in use.

@@ -166,6 +166,12 @@ inline constexpr ReasonRow kReasonTable[] = {
     {"BAD_KEY_FILE", StatusCode::kFailedPrecondition, "the file of keys cannot be used"},
     {"BAD_KEY", StatusCode::kInvalidArgument, "a key to be made has a bad name, role, pattern or time"},
     {"KEY_NOT_FOUND", StatusCode::kNotFound, "the file has no such key"},
+    // Several servers on one database.
+    {"NOT_OWNER", StatusCode::kUnavailable, "another server writes the map; the metadata name its address as `owner`"},
+    {"OWNER_UNREACHABLE", StatusCode::kUnavailable, "the server that writes the map cannot be reached: try later"},
+    {"DATABASE_UNREACHABLE", StatusCode::kUnavailable,
+     "the server has not reached its database for so long that another one may write its maps"},
+    {"NO_FLEET", StatusCode::kFailedPrecondition, "the server is the only one of its database"},
 };
 
 /// A reason of the table, or none. WithReason("MAP_NOT_FOUND") does not compile for a name that is not in the table.

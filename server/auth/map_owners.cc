@@ -114,4 +114,10 @@ std::size_t MapOwners::size() const {
   return owners_.size();
 }
 
+std::size_t MapOwners::NumOf(const std::string& principal) const {
+  const MutexLock lock(mutex_);
+  const auto num = std::count_if(owners_.begin(), owners_.end(), [&](const auto& o) { return o.second == principal; });
+  return static_cast<std::size_t>(num);
+}
+
 }  // namespace dhpmap::auth

@@ -32,6 +32,8 @@ class MapOwners {
   /// Forgets all other maps, also in the file, which is rewritten and renamed. Errors as in Add.
   Status Keep(const std::set<std::uint64_t>& history_ids) DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::size_t size() const DHPMAP_EXCLUDES(mutex_);
+  /// How many of them one principal has made; maps that are gone count until they are forgotten.
+  [[nodiscard]] std::size_t NumOf(const std::string& principal) const DHPMAP_EXCLUDES(mutex_);
 
  private:
   MapOwners(std::string path, int file, std::map<std::uint64_t, std::string> owners)

@@ -87,6 +87,9 @@ Status ServerConfig::Validate() const {
   CheckOrigins(http.allowed_origins, bad);
   if (auth.audit_required && auth.audit.empty()) bad.AddViolation("auth.audit_required", "needs auth.audit");
   CheckTls(tls, bad);
+  if (!fleet.address.empty() && !DatabaseFileOf(*this).empty()) {
+    bad.AddViolation("fleet.address", "needs a postgresql:// database: a file has one server");
+  }
   if (std::find(kLogLevels.begin(), kLogLevels.end(), log.level) == kLogLevels.end()) {
     bad.AddViolation("log.level", "'" + log.level + "' is not debug, info, warning, error or off");
   }

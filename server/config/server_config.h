@@ -102,6 +102,10 @@ struct ServerConfig {
     int principal_disk_mib = 65'536;
     int principal_inflight_percent = 50;
   } limits;
+  struct Fleet {
+    std::string address;
+    double lease_s = 2;
+  } fleet;
   double shutdown_grace_s = 2.0;
 
   /// For new maps without a preset.
@@ -215,6 +219,10 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "MiB of the maps that one principal has made; beyond it no more are made or fed");
   visit("limits.principal_inflight_percent", c.limits.principal_inflight_percent, 1, 100,
         "% of limits.inflight_mib that the calls of one principal may take");
+  visit("fleet.address", c.fleet.address, 0, 0,
+        "host:port of this server's gRPC for the others on its PostgreSQL database; empty = grpc.address");
+  visit("fleet.lease_s", c.fleet.lease_s, 0.2, 60,
+        "s of silence after which the others take this server's maps over; the same for all of them");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at shutdown");
 }
 

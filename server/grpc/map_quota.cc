@@ -28,11 +28,16 @@ MapQuota::MapQuota(auth::Gate& gate, MapRegistry& registry, auth::PassingTime no
 Result<std::unique_ptr<MapQuota::Making>> MapQuota::Begin(const Caller& caller) {
   if (caller.principal() == nullptr || gate_.owners() == nullptr) return std::unique_ptr<Making>();
   const std::string& principal = caller.principal()->name;
-  const std::vector<std::string> maps = MapsOf(principal);
-  DHPMAP_RETURN_IF_ERROR(CheckDisk(principal, maps));
+  DHPMAP_RETURN_IF_ERROR(CheckDisk(principal));
+  // Lines of maps that are gone count too, so few need no look at the maps.
+  std::size_t num_maps = gate_.owners()->NumOf(principal);
+  if (!HasRoom(principal, num_maps)) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> maps, MapsOf(principal));
+    num_maps = maps.size();
+  }
   const MutexLock lock(mutex_);
   int& num_making = num_making_[principal];
-  const auto num = static_cast<int>(maps.size()) + num_making;
+  const auto num = static_cast<int>(num_maps) + num_making;
   if (num >= gate_.limits().maps) {
     if (num_making == 0) num_making_.erase(principal);
     return OutOfQuota(principal, "made " + std::to_string(num) + " maps, as many as one may");
@@ -44,7 +49,14 @@ Result<std::unique_ptr<MapQuota::Making>> MapQuota::Begin(const Caller& caller) 
 Status MapQuota::CheckFeed(const MapInfo& map) {
   if (gate_.owners() == nullptr) return Status::Ok();
   const auto principal = gate_.owners()->OwnerOf(map.history_id);
-  return principal ? CheckDisk(*principal, MapsOf(*principal)) : Status::Ok();
+  return principal ? CheckDisk(*principal) : Status::Ok();
+}
+
+bool MapQuota::HasRoom(const std::string& principal, std::size_t num_maps) {
+  const MutexLock lock(mutex_);
+  const auto making = num_making_.find(principal);
+  const int num_making = making != num_making_.end() ? making->second : 0;
+  return static_cast<int>(num_maps) + num_making < gate_.limits().maps;
 }
 
 void MapQuota::GiveBack(const std::string& principal) {
@@ -54,25 +66,45 @@ void MapQuota::GiveBack(const std::string& principal) {
 }
 
 void MapQuota::Note(const std::string& principal, const MapSummary& map) {
-  auth::MapOwners& owners = *gate_.owners();
-  Status noted = owners.Add(map.info.history_id, principal);
-  if (const auto maps = registry_.List(); owners.size() > maps.size() + kMostGone) {
-    std::set<std::uint64_t> there;
-    for (const MapSummary& one : maps) there.insert(one.info.history_id);
-    if (const Status kept = owners.Keep(there); noted.ok()) noted = kept;
-  }
+  Status noted = gate_.owners()->Add(map.info.history_id, principal);
+  if (const Status kept = ForgetGone(); noted.ok()) noted = kept;
   if (!noted.ok()) LogError("who has made map '" + map.info.name + "' is not kept: " + noted.ToString());
 }
 
-std::vector<std::string> MapQuota::MapsOf(const std::string& principal) const {
-  std::vector<std::string> maps;
-  for (const MapSummary& map : registry_.List()) {
-    if (gate_.owners()->OwnerOf(map.info.history_id) == principal) maps.push_back(map.info.name);
+Status MapQuota::ForgetGone() {
+  auth::MapOwners& owners = *gate_.owners();
+  {
+    const MutexLock lock(mutex_);
+    if (owners.size() <= num_known_ + kMostGone) return Status::Ok();
+    num_known_ = owners.size();  // nobody else looks meanwhile
   }
+  std::set<std::uint64_t> there;
+  DHPMAP_RETURN_IF_ERROR(ForEachMap([&there](const MapInfo& map) { there.insert(map.history_id); }));
+  Status kept = owners.Keep(there);
+  const MutexLock lock(mutex_);
+  num_known_ = owners.size();
+  return kept;
+}
+
+Status MapQuota::ForEachMap(const std::function<void(const MapInfo&)>& body) const {
+  constexpr std::size_t kMapsALook = 128;
+  for (std::string after;;) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::vector<MapSummary> maps, registry_.List(after, kMapsALook));
+    for (const MapSummary& map : maps) body(map.info);
+    if (maps.size() < kMapsALook) return Status::Ok();
+    after = maps.back().info.name;
+  }
+}
+
+Result<std::vector<std::string>> MapQuota::MapsOf(const std::string& principal) const {
+  std::vector<std::string> maps;
+  DHPMAP_RETURN_IF_ERROR(ForEachMap([&](const MapInfo& map) {
+    if (gate_.owners()->OwnerOf(map.history_id) == principal) maps.push_back(map.name);
+  }));
   return maps;
 }
 
-Status MapQuota::CheckDisk(const std::string& principal, const std::vector<std::string>& maps) {
+Status MapQuota::CheckDisk(const std::string& principal) {
   const double now_s = now_s_();
   std::optional<Sum> sum;
   {
@@ -81,6 +113,7 @@ Status MapQuota::CheckDisk(const std::string& principal, const std::vector<std::
   }
   if (!sum || now_s - sum->at_s >= kSumStands_s) {
     sum = Sum{.at_s = now_s};
+    DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> maps, MapsOf(principal));
     for (const std::string& map : maps) {
       if (const auto bytes = registry_.DiskBytes(map); bytes.ok()) sum->bytes += *bytes;  // else it has just gone
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -52,9 +54,14 @@ class MapQuota {
     double at_s = 0;
   };
   void GiveBack(const std::string& principal) DHPMAP_EXCLUDES(mutex_);
-  void Note(const std::string& principal, const MapSummary& map);
-  [[nodiscard]] std::vector<std::string> MapsOf(const std::string& principal) const;
-  Status CheckDisk(const std::string& principal, const std::vector<std::string>& maps) DHPMAP_EXCLUDES(mutex_);
+  void Note(const std::string& principal, const MapSummary& map) DHPMAP_EXCLUDES(mutex_);
+  /// Lines of maps that are gone, once there may be many: looks at all maps.
+  Status ForgetGone() DHPMAP_EXCLUDES(mutex_);
+  Status ForEachMap(const std::function<void(const MapInfo&)>& body) const;
+  /// Looks at all maps.
+  [[nodiscard]] Result<std::vector<std::string>> MapsOf(const std::string& principal) const;
+  [[nodiscard]] bool HasRoom(const std::string& principal, std::size_t num_maps) DHPMAP_EXCLUDES(mutex_);
+  Status CheckDisk(const std::string& principal) DHPMAP_EXCLUDES(mutex_);
 
   auth::Gate& gate_;
   MapRegistry& registry_;
@@ -62,6 +69,7 @@ class MapQuota {
   Mutex mutex_;
   std::map<std::string, int> num_making_ DHPMAP_GUARDED_BY(mutex_);
   std::map<std::string, Sum> sums_ DHPMAP_GUARDED_BY(mutex_);
+  std::size_t num_known_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< maps with an owner after the last look
 };
 
 }  // namespace dhpmap

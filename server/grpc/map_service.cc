@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "proto/types/resource_names.h"
 #include "server/app/maps/map_stats.h"
 #include "server/grpc/counted_service.h"
+#include "server/grpc/damaged_maps.h"
 #include "server/grpc/edit_call.h"
 #include "server/grpc/import_stream.h"
 #include "server/grpc/map_quota.h"
@@ -43,8 +45,10 @@ class MapService final : public CountedService<v1::MapService> {
 
   grpc::ServerUnaryReactor* GetMap(grpc::CallbackServerContext*, const v1::GetMapRequest* request,
                                    v1::GetMapResponse* response) override {
-    // A past state is of an open map; the present one is known of all.
-    const std::string_view opens = request->read_revision() != 0 ? request->name() : std::string_view();
+    // A past state is of an open map; the present one of a closed map is asked of the store, which is quick if it is
+    // this process's own.
+    const bool waits = request->read_revision() != 0 || context_.registry.SharesStore();
+    const std::string_view opens = waits ? request->name() : std::string_view();
     return Run(context_, {"MapService/GetMap", request, response, opens}, [=, this]() -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request->name(), "name"));
       DHPMAP_ASSIGN_OR_RETURN(const MapSummary map, SummaryAt(name, *request));
@@ -56,12 +60,11 @@ class MapService final : public CountedService<v1::MapService> {
 
   grpc::ServerUnaryReactor* ListMaps(grpc::CallbackServerContext* call, const v1::ListMapsRequest* request,
                                      v1::ListMapsResponse* response) override {
-    return Run(context_, {"MapService/ListMaps", request, response}, [=, this, caller = CallerOf(*call)]() -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, PageMark{}));
-      AddMaps(caller, *request, pager, *response);
-      response->set_next_page_token(pager.NextToken());
-      return Status::Ok();
-    });
+    Lane& lane = context_.registry.SharesStore() ? context_.lanes.loads : context_.lanes.quick;
+    return RunAsyncIn(lane, context_, {"MapService/ListMaps", request, response}, 0,
+                      [=, this, caller = CallerOf(*call)](const Respond& respond, const std::stop_token&) {
+                        respond(List(caller, *request, *response));
+                      });
   }
 
   grpc::ServerUnaryReactor* UpdateMap(grpc::CallbackServerContext*, const v1::UpdateMapRequest* request,
@@ -172,21 +175,31 @@ class MapService final : public CountedService<v1::MapService> {
 
  private:
   /// A page of the maps that the caller may see.
-  void AddMaps(const Caller& caller, const v1::ListMapsRequest& request, Pager& pager,
-               v1::ListMapsResponse& response) const {
-    std::string after = pager.after();
-    for (;;) {
-      const auto maps = context_.registry.List(after, pager.num_wanted());
-      for (const MapSummary& map : maps) {
-        after = map.info.name;
-        if (!caller.MaySee(map.info.name)) continue;
-        v1::Map proto = ToProto(map);
-        if (!request.include_label_classes()) proto.clear_label_classes();
-        if (!pager.Takes(proto, map.info.name)) return;
-        *response.add_maps() = std::move(proto);
-      }
-      if (maps.size() < pager.num_wanted()) return;
+  Status List(const Caller& caller, const v1::ListMapsRequest& request, v1::ListMapsResponse& response) {
+    constexpr std::size_t kMapsALook = 128;  // of whole label sets
+    DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(request, PageMark{}));
+    const std::size_t num_wanted = std::min(kMapsALook, pager.num_wanted());
+    bool has_more = true;
+    for (std::string after = pager.after(); has_more;) {
+      DHPMAP_ASSIGN_OR_RETURN(const auto maps, context_.registry.List(after, num_wanted));
+      has_more = AddMaps(maps, caller, request, pager, response) && maps.size() == num_wanted;
+      if (has_more) after = maps.back().info.name;
     }
+    response.set_next_page_token(pager.NextToken());
+    return Status::Ok();
+  }
+  /// False once the page is full.
+  bool AddMaps(const std::vector<MapSummary>& maps, const Caller& caller, const v1::ListMapsRequest& request,
+               Pager& pager, v1::ListMapsResponse& response) {
+    for (const MapSummary& map : maps) {
+      if (!caller.MaySee(map.info.name)) continue;
+      if (!map.damage.ok()) damaged_.Tell(map);
+      v1::Map proto = ToProto(map);
+      if (!request.include_label_classes()) proto.clear_label_classes();
+      if (!pager.Takes(proto, map.info.name)) return false;
+      *response.add_maps() = std::move(proto);
+    }
+    return true;
   }
   Result<MapSummary> SummaryAt(const std::string& map, const v1::GetMapRequest& request) const {
     if (request.read_revision() == 0) return context_.registry.Get(map);
@@ -200,6 +213,7 @@ class MapService final : public CountedService<v1::MapService> {
   }
 
   const ServiceContext& context_;
+  DamagedMaps damaged_;
 };
 
 }  // namespace

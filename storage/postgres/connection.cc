@@ -73,8 +73,8 @@ Result<Connection> Connection::Open(const ConnectionOptions& options) {
   }
   if (PQsetnonblocking(opened, 1) != 0) return ConnectionLost(kConnectTask, connection.Said());
   DHPMAP_RETURN_IF_ERROR(connection.Execute(
-      "SET search_path TO " + options.schema +
-          "; SET idle_in_transaction_session_timeout TO 2000; SET client_min_messages TO warning; "
+      "SET search_path TO " + options.schema + "; SET application_name TO '" + options.application +
+          "'; SET idle_in_transaction_session_timeout TO 2000; SET client_min_messages TO warning; "
           "SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') IN ('off', "
           "'local')",
       kConnectTask));

@@ -34,6 +34,7 @@ struct Answers {
 struct ConnectionOptions {
   std::string url;                             ///< postgresql://... ; never in messages
   std::string schema = "dhpmap";               ///< of the tables: letters, digits and _
+  std::string application = "dhpmap-server";   ///< as the database server lists it: as the schema's name, or -
   std::chrono::milliseconds patience{30'000};  ///< for any answer; by the steady clock
 };
 

@@ -14,7 +14,7 @@ const std::string kPresentCommit = "SELECT commit_id, owner_epoch FROM maps WHER
 }  // namespace
 
 Status NotOwner(const std::string& map) {
-  return FailedPrecondition("map '" + map + "' is written by another server now").WithReason("DATABASE_IN_USE");
+  return Unavailable("map '" + map + "' is written by another server now").WithReason("NOT_OWNER");
 }
 
 Result<bool> WasMade(Pool& pool, const OwnedMap& map, std::int64_t commit_id) {

@@ -14,7 +14,7 @@ namespace dhpmap::postgres {
 /// answer; NotOwner if another server has taken the map; NOT_FOUND if it is gone.
 Result<bool> WasMade(Pool& pool, const OwnedMap& map, std::int64_t commit_id);
 
-/// The error for a map that another server writes now.
+/// UNAVAILABLE, reason NOT_OWNER: another server writes the map now.
 Status NotOwner(const std::string& map);
 
 }  // namespace dhpmap::postgres

@@ -42,9 +42,9 @@ const std::string& HeadByName() {
   return text;
 }
 
-const std::string& HeadsFrom() {
+const std::string& HeadsAfter() {
   static const std::string text = SelectText(Maps(),
-                                             "WHERE map_key IN (SELECT n.map_key FROM map_names n WHERE n.name >= $1 "
+                                             "WHERE map_key IN (SELECT n.map_key FROM map_names n WHERE n.name > $1 "
                                              "ORDER BY n.name LIMIT $2) ORDER BY name",
                                              Counters());
   return text;

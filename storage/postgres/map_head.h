@@ -20,10 +20,10 @@ struct MapHead {
   std::int64_t seen_ns = 0;  ///< time during which servers had the map open, as SeenClock
 };
 
-/// SELECTs of heads by map_key ($1), by name ($1), and by name from $1 on, $2 at most.
+/// SELECTs of heads by map_key ($1), by name ($1), and by name after $1, $2 at most.
 const std::string& HeadByKey();
 const std::string& HeadByName();
-const std::string& HeadsFrom();
+const std::string& HeadsAfter();
 /// The present row; false if a column has a wrong type.
 bool ReadHead(Answer& answer, MapHead& head);
 

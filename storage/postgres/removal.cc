@@ -5,12 +5,18 @@
 
 #include "mapping/base/guarded.h"
 #include "storage/postgres/commit.h"
+#include "storage/postgres/lost_answer.h"
+#include "storage/postgres/map_head.h"
 #include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {
 namespace {
 
 constexpr char kDeleteTask[] = "delete the map";
+// An error (see IsFenced) if the map is there and has another owner.
+const std::string kCheckOwner =
+    "WITH held AS (SELECT owner_epoch FROM maps WHERE name = $1 FOR UPDATE) SELECT 1 / (1 - count(*)) FROM held WHERE "
+    "owner_epoch <> $2";
 const std::string kRemoveName =
     "WITH gone AS (DELETE FROM map_names WHERE name = $1 RETURNING map_key) INSERT INTO removed_maps (map_key) SELECT "
     "map_key FROM gone";
@@ -47,13 +53,17 @@ Status SweepRest(Connection& connection, std::int64_t map_key) {
 
 }  // namespace
 
-Status RemoveMap(Connection& connection, const std::string& name) {
-  std::vector<Call> calls = {{&BeginText()}, {&kRemoveName}, {&kRemoveHead}, {&CommitText()}};
-  calls[1].values.Add(name);
-  calls[2].values.Add(name);
+Status RemoveMap(Connection& connection, const std::string& name, std::optional<std::int64_t> epoch) {
+  std::vector<Call> calls = {{&BeginText()}};
+  if (epoch) calls.emplace_back(Call{&kCheckOwner}).values.Add(name).Add(*epoch);
+  const std::size_t removal = calls.size();
+  calls.emplace_back(Call{&kRemoveName}).values.Add(name);
+  calls.emplace_back(Call{&kRemoveHead}).values.Add(name);
+  calls.push_back({&CommitText()});
   const Answers done = connection.Run(calls, kDeleteTask);
+  if (IsFenced(done.sqlstate)) return NotOwner(name);
   if (!done.status.ok()) return done.status;
-  return done.answers[1].NumChanged() > 0 ? Status::Ok() : NoSuchMap(name);
+  return done.answers[removal].NumChanged() > 0 ? Status::Ok() : NoSuchMap(name);
 }
 
 Result<bool> SweepSome(Connection& connection) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -9,8 +11,9 @@
 
 namespace dhpmap::postgres {
 
-/// Removes a map's name and row at once; all else goes with SweepSome. NOT_FOUND.
-Status RemoveMap(Connection& connection, const std::string& name);
+/// Removes a map's name and row at once; all else goes with SweepSome. NOT_FOUND; NotOwner if its owner has not this
+/// epoch (nothing: whoever owns it).
+Status RemoveMap(Connection& connection, const std::string& name, std::optional<std::int64_t> epoch);
 
 /// Deletes some hundred rows of a removed map. Returns whether there may be more.
 Result<bool> SweepSome(Connection& connection);

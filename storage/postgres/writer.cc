@@ -63,11 +63,12 @@ Status Writer::Create(const MapSnapshot& snapshot) {
 
 Status Writer::Commit(const CommitRequest& request) {
   DHPMAP_RETURN_IF_ERROR(ValidateCommit(request.before.info(), request.after.info()));
-  DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<OwnedMap> map, maps_.Own(request.before.info().name));
+  DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<OwnedMap> map,
+                          maps_.Own(request.before.info().name, MapOwnership::For::kWriting));
   const MutexLock lock(map->mutex);
   Status done = CommitOwned(*map, request);
-  const bool is_lost = done.reason() == Reason("DATABASE_IN_USE") || done.code() == StatusCode::kNotFound;
-  if (is_lost) maps_.Drop(*map);
+  if (done.reason() == Reason("NOT_OWNER")) return maps_.LoseAndAsk(*map);
+  if (done.code() == StatusCode::kNotFound) maps_.Lose(*map);
   return done;
 }
 
@@ -158,8 +159,9 @@ Result<bool> Writer::SettleNow(OwnedMap& map) {
   const auto end = std::chrono::steady_clock::now() + patience_;
   for (;;) {
     Result<bool> was_made = Settle(map);
-    const StatusCode code = was_made.status().code();
-    if (was_made.ok() || code != StatusCode::kUnavailable || std::chrono::steady_clock::now() >= end) return was_made;
+    const Status& why = was_made.status();
+    const bool is_silent = why.code() == StatusCode::kUnavailable && why.reason() != Reason("NOT_OWNER");
+    if (!is_silent || std::chrono::steady_clock::now() >= end) return was_made;
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
 }
@@ -167,22 +169,28 @@ Result<bool> Writer::SettleNow(OwnedMap& map) {
 Result<bool> Writer::Settle(OwnedMap& map) { return WasMade(pool_, map, map.doubt->commit_id); }
 
 Status Writer::Reserve(const std::string& name, const NumberMarks& marks) {
-  DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<OwnedMap> map, maps_.Own(name));
+  DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<OwnedMap> map, maps_.Own(name, MapOwnership::For::kWriting));
   const MutexLock lock(map->mutex);
-  if (map->doubt) {
-    DHPMAP_ASSIGN_OR_RETURN(const bool was_made, Settle(*map));
-    if (!was_made) map->doubt.reset();
+  Status done = ReserveOwned(*map, marks);
+  return done.reason() == Reason("NOT_OWNER") ? maps_.LoseAndAsk(*map) : done;
+}
+
+Status Writer::ReserveOwned(OwnedMap& map, const NumberMarks& marks) {
+  const std::string& name = map.name;
+  if (map.doubt) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool was_made, Settle(map));
+    if (!was_made) map.doubt.reset();
   }
   DHPMAP_ASSIGN_OR_RETURN(const MapHead before, pool_.Read<MapHead>([&](Connection& connection) -> Result<MapHead> {
     Call select{&HeadByKey()};
-    select.values.Add(map->key);
+    select.values.Add(map.key);
     DHPMAP_ASSIGN_OR_RETURN(Answer answer, connection.Query(select, "reserve numbers"));
     MapHead head;
     if (!answer.Next()) return NoSuchMap(name);
     if (!ReadHead(answer, head)) return DamagedRows(name, "its row has a wrong checksum");
     return head;
   }));
-  if (before.owner_epoch != map->epoch) return NotOwner(name);
+  if (before.owner_epoch != map.epoch) return NotOwner(name);
   MapHead after = before;
   ++after.commit_id;
   after.row.marks = marks;
@@ -190,26 +198,29 @@ Status Writer::Reserve(const std::string& name, const NumberMarks& marks) {
   SealMapRow(after.row);
   const std::vector<Call> calls = {{&BeginText()}, ReplaceHead(before, after), {&CommitText()}};
   DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow());
-  if (map->doubt) {  // of a commit that was made: the next one has to know of it, whatever becomes of this one
+  if (map.doubt) {  // of a commit that was made: the next one has to know of it, whatever becomes of this one
     const Answers done = connection->Run(calls, "reserve numbers");
     if (!done.status.ok()) return done.status;
     return IsAcknowledged(done) ? Status::Ok() : InDoubt(name);
   }
-  return Send(*map, std::move(connection), calls, [&]() -> Doubt {
+  return Send(map, std::move(connection), calls, [&]() -> Doubt {
     return {after.commit_id, before.row.info.revision, false, nullptr};
   });
 }
 
 Status Writer::Delete(const std::string& name) {
-  const std::shared_ptr<OwnedMap> map = maps_.Find(name);
-  const auto remove = [&]() -> Status {
+  const Result<std::shared_ptr<OwnedMap>> owned = maps_.Own(name, MapOwnership::For::kLoading);
+  const auto remove = [&](std::optional<std::int64_t> epoch) -> Status {
     DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow());
-    return RemoveMap(*connection, name);
+    return RemoveMap(*connection, name, epoch);
   };
-  if (map == nullptr) return remove();
-  const MutexLock lock(map->mutex);
-  Status removed = remove();
-  if (removed.ok() || removed.code() == StatusCode::kNotFound) maps_.Drop(*map);
+  if (owned.status().code() == StatusCode::kDataLoss) return remove(std::nullopt);  // its row does not say whose it is
+  if (!owned.ok()) return owned.status();
+  OwnedMap& map = **owned;
+  const MutexLock lock(map.mutex);
+  Status removed = remove(map.epoch);
+  if (removed.reason() == Reason("NOT_OWNER")) return maps_.LoseAndAsk(map);
+  if (removed.ok() || removed.code() == StatusCode::kNotFound) maps_.Drop(map);
   return removed;
 }
 

@@ -29,6 +29,7 @@ class Writer {
 
  private:
   Status CommitOwned(OwnedMap& map, const CommitRequest& request) DHPMAP_REQUIRES(map.mutex);
+  Status ReserveOwned(OwnedMap& map, const NumberMarks& marks) DHPMAP_REQUIRES(map.mutex);
   Status CommitFrom(OwnedMap& map, const CommitRequest& request) DHPMAP_REQUIRES(map.mutex);
   Result<Pool::Lease> FetchOver(const OwnedMap& map, const PlannedChanges& planned, FetchedState& state);
   /// Sends it, repeats what the database asks to repeat, and settles what nobody knows.

@@ -47,7 +47,9 @@ class GatedStore final : public MapStore {
   /// Files are never made: whoever asks for one waits until they go away.
   void set_never_made() { is_never_made_ = true; }
 
-  Result<std::vector<StoredMap>> ListMaps() override { return store_->ListMaps(); }
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return store_->ListMaps(after, max);
+  }
   Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return store_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {

@@ -23,7 +23,9 @@ class FailingStore final : public MapStore {
   void set_before_load(std::function<void()> hook) { before_load_.Set(std::move(hook)); }
   [[nodiscard]] int num_refused() const { return num_refused_; }
 
-  Result<std::vector<StoredMap>> ListMaps() override { return store_->ListMaps(); }
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return store_->ListMaps(after, max);
+  }
   Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return is_full_ ? Full() : store_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {

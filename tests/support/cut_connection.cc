@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstring>
+#include <functional>
 #include <string_view>
 
 namespace dhpmap::testing {
@@ -46,6 +47,9 @@ constexpr std::string_view kCommitted(
     "COMMIT\0",
     12);
 
+/// As a client of ours names a prepared statement.
+std::string NameOfStatement(const std::string& sql) { return std::string("s").append(std::to_string(std::hash<std::string>{}(sql))); }
+
 }  // namespace
 
 CutConnection::CutConnection(const std::string& server) : server_(server) {
@@ -74,10 +78,30 @@ void CutConnection::Accept() {
   }
 }
 
+void CutConnection::AwaitRelease() {
+  is_held_ = true;
+  is_held_.notify_all();
+  while (!is_released_ && !is_stopping_) poll(nullptr, 0, kLookAgain_ms);
+}
+
+std::string_view CutConnection::HoldRest(std::string_view asked, bool& is_held) {
+  static const std::string begin = NameOfStatement("BEGIN"), commit = NameOfStatement("COMMIT");
+  const Hold where = hold_;
+  const std::size_t at =
+      where == Hold::kNowhere ? std::string_view::npos : asked.rfind(where == Hold::kBeforeBegin ? begin : commit);
+  if (at == std::string_view::npos) return asked;
+  hold_ = Hold::kNowhere;
+  is_held = true;
+  constexpr std::size_t kHead = 6;  // of the message that names it: its letter, its length, an empty name
+  if (where == Hold::kBeforeBegin) return {};
+  return where == Hold::kBeforeCommit ? asked.substr(0, at - kHead) : asked;
+}
+
 void CutConnection::Serve(int client) {
   const int upstream = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   const sockaddr_un address = AddressIn(server_);
   bool goes_on = !is_away_ && connect(upstream, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  bool is_held = false;
   std::string answers;  // the end of what the server sent, as a tag may come in two pieces
   while (goes_on && !is_stopping_) {
     std::array<pollfd, 2> both = {{{client, POLLIN, 0}, {upstream, POLLIN, 0}}};
@@ -86,7 +110,13 @@ void CutConnection::Serve(int client) {
       const std::string asked = Receive(client);
       const bool is_lost = lose_request_.exchange(false);
       if (is_lost) ++num_lost_;
-      goes_on = !asked.empty() && !is_lost && SendAll(upstream, asked);
+      const std::string_view first = HoldRest(asked, is_held);
+      goes_on = !asked.empty() && !is_lost && SendAll(upstream, first);
+      if (is_held) {
+        AwaitRelease();
+        is_held = false;
+        goes_on = goes_on && SendAll(upstream, std::string_view(asked).substr(first.size()));
+      }
     }
     if (goes_on && both[1].revents != 0) {
       const std::string got = Receive(upstream);

@@ -108,10 +108,9 @@ PostgresCluster::~PostgresCluster() {
 std::string PostgresCluster::Url() const { return "postgresql://postgres@/postgres?host=" + folder_.path().string(); }
 
 void PostgresCluster::CutConnections() const {
-  (void)Succeeds(
-      bin_ + "/psql -h " + folder_.path().string() +
-      " -U postgres -c 'SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity WHERE application_name = "
-      "$$dhpmap-server$$'");
+  (void)Succeeds(bin_ + "/psql -h " + folder_.path().string() +
+                 " -U postgres -c 'SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity WHERE application_name "
+                 "LIKE $$dhpmap-server%$$'");
 }
 
 }  // namespace dhpmap::testing

@@ -21,6 +21,7 @@ Status RefusalOf(FeedState state) {
           .WithReason("FEED_IDLE");
     case FeedState::kEnded:
       return Aborted("the session was ended: no more frames are taken from this stream").WithReason("SESSION_ENDED");
+    case FeedState::kMoved:
     case FeedState::kLeft: break;
   }
   return Aborted("this stream has left the map").WithReason("FEED_TAKEN_OVER");
@@ -30,7 +31,7 @@ Status RefusalOf(FeedState state) {
 
 Status Feed::MayFeed() const {
   const MutexLock lock(mutex_);
-  return RefusalOf(state_.state());
+  return state_.Is(FeedState::kMoved) ? CopyOf(moved_) : RefusalOf(state_.state());
 }
 
 void Feed::OnFrameBegun() {
@@ -78,9 +79,10 @@ std::optional<std::int64_t> Feed::StoredUpTo(std::int64_t num_stored_frames) {
   return stored_;
 }
 
-bool Feed::End(FeedState how) {
+bool Feed::End(FeedState how, const Status& why) {
   const MutexLock lock(mutex_);
   if (!state_.Is(FeedState::kFeeding)) return false;
+  moved_ = CopyOf(why);
   state_.To(how);
   return true;
 }

@@ -26,6 +26,7 @@ enum class FeedState {
   kTakenOver,  ///< another stream has replaced it
   kIdledOut,   ///< replaced after silence of idle_s
   kEnded,      ///< its session was ended by request
+  kMoved,      ///< another process writes the map now
 };
 
 /// A feed ends once.
@@ -38,7 +39,8 @@ struct FeedRequest {
   std::string session;     ///< the client's name of the feed session; may be empty
   bool take_over = false;  ///< replaces all present feeds of the map
   ImplausibleFrames implausible = ImplausibleFrames::kFuse;
-  /// Called once if the feed is ended by the server: ABORTED, with a reason. On another thread, without locks.
+  /// Called once if the feed is ended by the server: ABORTED, with a reason, or why the map has moved. On another
+  /// thread, without locks.
   std::function<void(const Status&)> on_evicted = {};
 };
 
@@ -78,8 +80,8 @@ class Feed {
   /// `num_stored_frames` never decreases between calls.
   std::optional<std::int64_t> StoredUpTo(std::int64_t num_stored_frames) DHPMAP_EXCLUDES(mutex_);
 
-  /// Ends it; only FeedSeats calls this. False if it had ended before.
-  bool End(FeedState how) DHPMAP_EXCLUDES(mutex_);
+  /// Ends it; only FeedSeats calls this. False if it had ended before. `why`: of kMoved.
+  bool End(FeedState how, const Status& why = {}) DHPMAP_EXCLUDES(mutex_);
   /// Tells the client why it was ended. Without locks.
   void TellEvicted() const;
 
@@ -93,6 +95,7 @@ class Feed {
   const std::shared_ptr<FeedTally> tally_;
   mutable Mutex mutex_;
   StateMachine<FeedState> state_ DHPMAP_GUARDED_BY(mutex_){FeedState::kFeeding};
+  Status moved_ DHPMAP_GUARDED_BY(mutex_);  ///< why, if it has
   Clock::time_point last_active_ DHPMAP_GUARDED_BY(mutex_);
   int num_under_way_ DHPMAP_GUARDED_BY(mutex_) = 0;
   bool has_begun_ DHPMAP_GUARDED_BY(mutex_) = false;

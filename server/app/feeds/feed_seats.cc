@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mapping/base/guarded.h"
+
 namespace dhpmap {
 namespace {
 
@@ -31,6 +33,7 @@ Result<std::shared_ptr<Feed>> FeedSeats::Take(FeedRequest request) {
   std::shared_ptr<Feed> taken;
   {
     const MutexLock lock(mutex_);
+    DHPMAP_RETURN_IF_ERROR(CopyOf(moved_));
     if (is_closed_) return MapIsGone();
     DHPMAP_ASSIGN_OR_RETURN(evictions, EvictionsFor(request));
     Evict(evictions);
@@ -91,6 +94,17 @@ Status FeedSeats::End(const std::string& session) {
   }
   ended->TellEvicted();
   return Status::Ok();
+}
+
+void FeedSeats::MoveAway(const Status& why) {
+  std::vector<std::shared_ptr<Feed>> ended;
+  {
+    const MutexLock lock(mutex_);
+    moved_ = CopyOf(why);
+    ended.swap(feeds_);
+    for (const auto& feed : ended) (void)feed->End(FeedState::kMoved, why);
+  }
+  for (const auto& feed : ended) feed->TellEvicted();
 }
 
 Status FeedSeats::Close() {

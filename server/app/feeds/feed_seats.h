@@ -35,6 +35,9 @@ class FeedSeats {
   /// Ends the feed of the session; empty: the unnamed one. NOT_FOUND, reason SESSION_NOT_FOUND, if there is none.
   Status End(const std::string& session) DHPMAP_EXCLUDES(mutex_);
 
+  /// Ends all feeds with `why`, and admits no more: another process writes the map.
+  void MoveAway(const Status& why) DHPMAP_EXCLUDES(mutex_);
+
   /// Admits no feed until Reopen. FAILED_PRECONDITION, reason MAP_IS_FED, if one is active and not idle.
   Status Close() DHPMAP_EXCLUDES(mutex_);
   void Reopen() DHPMAP_EXCLUDES(mutex_);
@@ -63,6 +66,7 @@ class FeedSeats {
   const std::function<Clock::time_point()> now_;
   mutable Mutex mutex_;
   bool is_closed_ DHPMAP_GUARDED_BY(mutex_) = false;  ///< the map is being deleted, or has been
+  Status moved_ DHPMAP_GUARDED_BY(mutex_);            ///< not OK: see MoveAway
   std::vector<std::shared_ptr<Feed>> feeds_ DHPMAP_GUARDED_BY(mutex_);
   std::map<std::string, std::shared_ptr<FeedTally>> tallies_ DHPMAP_GUARDED_BY(mutex_);
 };

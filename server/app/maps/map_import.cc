@@ -79,7 +79,8 @@ Status IncomingMap::Prepare(const std::stop_token& stop) {
 
 Result<MapSummary> IncomingMap::Show() {
   DHPMAP_RETURN_IF_ERROR(import_->Add(name_));
-  return registry_.ShowStored(*held_);
+  held_.reset();
+  return registry_.Get(name_);
 }
 
 }  // namespace dhpmap

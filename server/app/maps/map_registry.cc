@@ -38,6 +38,15 @@ OpenMapOptions WithShared(OpenMapOptions options) {
   return options;
 }
 
+MapSummary SummaryOf(StoredMap map) {
+  return {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = std::move(map.damage)};
+}
+
+/// Of one map, and not of the store as a whole: the map is there.
+bool IsDamage(const Status& status) {
+  return status.code() == StatusCode::kDataLoss || status.code() == StatusCode::kFailedPrecondition;
+}
+
 }  // namespace
 
 MapSummary SummaryOf(const MapSnapshot& snapshot) {
@@ -49,23 +58,16 @@ MapRegistry::MapRegistry(MapStore& store, OpenMapOptions map_options, const Regi
       map_options_(WithShared(std::move(map_options))),
       options_(options),
       changes_(store, options_.max_watchers),
-      surfaces_(options_.surface_bytes) {}
+      surfaces_(options_.surface_bytes),
+      summaries_(store.fleet() == nullptr ? kMaxSummaries : 0) {}
 
 Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, OpenMapOptions map_options,
                                                        const RegistryOptions& options) {
-  DHPMAP_ASSIGN_OR_RETURN(std::vector<StoredMap> maps, store.ListMaps());
   SetPageReaderLimit({.bytes = BytesOfReaders(map_options.pages)});
   std::unique_ptr<MapRegistry> registry(new MapRegistry(store, std::move(map_options), options));
-  const MutexLock lock(registry->mutex_);
-  for (StoredMap& map : maps) {
-    auto entry = std::make_shared<Entry>();
-    entry->exists = true;
-    entry->lost_revisions = std::make_shared<const LostRevisions>(std::move(map.lost_revisions));
-    entry->stored = {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = std::move(map.damage)};
-    const std::string name = entry->stored.info.name;
-    registry->entries_.emplace(name, std::move(entry));
-  }
-  if (registry->options_.idle_close_s > 0) {
+  Fleet* const fleet = store.fleet();
+  if (fleet != nullptr) fleet->OnLost([to = registry.get()](const std::string& name) { to->NoteLoss(name); });
+  if (registry->options_.idle_close_s > 0 || fleet != nullptr) {
     DHPMAP_RETURN_IF_ERROR(registry->closer_.Start([closer = registry.get()] { closer->CloserLoop(); }));
   }
   return registry;
@@ -78,11 +80,11 @@ Result<MapSummary> MapRegistry::Create(MapInfo info) {
   const std::string name = info.name;
   info.create_time_ns = Now(map_options_);
   info.history_id = DrawHistoryId();
-  DHPMAP_ASSIGN_OR_RETURN(HeldName held, HoldName(name));
+  DHPMAP_ASSIGN_OR_RETURN(const HeldName held, HoldName(name));
   Map map(std::move(info));
   const auto snapshot = map.Publish(map.info().create_time_ns);
   DHPMAP_RETURN_IF_ERROR(store_.CreateMap(*snapshot));
-  return Show(held, SummaryOf(*snapshot));
+  return SummaryOf(*snapshot);
 }
 
 HeldName::~HeldName() {
@@ -90,93 +92,98 @@ HeldName::~HeldName() {
 }
 
 Status MapRegistry::CheckIsFree(const std::string& name) const {
-  const MutexLock lock(mutex_);
-  return entries_.contains(name) ? NameIsTaken(name) : Status::Ok();
+  {
+    const MutexLock lock(mutex_);
+    if (held_names_.contains(name)) return NameIsTaken(name);
+  }
+  return CheckIsNotThere(name);
+}
+
+Status MapRegistry::CheckIsNotThere(const std::string& name) const {
+  if (FindOpen(name) != nullptr) return NameIsTaken(name);
+  const Status asked = store_.GetMap(name).status();
+  if (asked.code() == StatusCode::kNotFound) return Status::Ok();
+  return asked.ok() || IsDamage(asked) ? NameIsTaken(name) : asked;
 }
 
 Result<HeldName> MapRegistry::HoldName(const std::string& name) {
-  const MutexLock lock(mutex_);
-  if (is_shut_down_) return ShuttingDown();
-  if (!entries_.emplace(name, std::make_shared<Entry>()).second) return NameIsTaken(name);
-  return HeldName(*this, name);
+  {
+    const MutexLock lock(mutex_);
+    if (is_shut_down_) return ShuttingDown();
+    if (!held_names_.insert(name).second) return NameIsTaken(name);
+  }
+  HeldName held(*this, name);
+  DHPMAP_RETURN_IF_ERROR(CheckIsNotThere(name));
+  return held;
 }
 
 void MapRegistry::GiveBack(const std::string& name) {
   const MutexLock lock(mutex_);
-  entries_.erase(name);
-}
-
-MapSummary MapRegistry::Show(HeldName& held, MapSummary map) {
-  const MutexLock lock(mutex_);
-  Entry& entry = *entries_.find(held.name_)->second;
-  entry.exists = true;
-  entry.stored = map;
-  held.registry_ = nullptr;
-  return map;
-}
-
-Result<MapSummary> MapRegistry::ShowStored(HeldName& held) {
-  const std::string name = held.name_;
-  MapSummary map;
-  map.info.name = name;
-  (void)Show(held, map);  // before anything that may fail, because the map exists
-  const auto entry = FindEntry(name);
-  Result<StoredMap> stored = store_.GetMap(name);
-  if (stored.ok()) map = {.info = std::move(stored->info), .num_submaps = stored->num_submaps, .damage = {}};
-  else map.damage = stored.status();
-  {
-    const MutexLock lock(mutex_);
-    entry->stored = map;
-  }
-  if (!map.damage.ok()) return map.damage;
-  return map;
+  held_names_.erase(name);
 }
 
 Result<MapSummary> MapRegistry::Get(const std::string& name) const {
-  const MutexLock lock(mutex_);
-  const auto found = entries_.find(name);
-  if (found == entries_.end() || !found->second->exists) return NoSuchMapAmongThese(name);
-  MapSummary summary = Summarise(*found->second);
-  if (!summary.damage.ok()) return summary.damage;
-  return summary;
+  if (const auto open_map = FindOpen(name)) return SummaryOf(open_map->View()->snapshot());
+  auto stored = AskStore(name);
+  if (!stored.ok()) return WithSuggestion(stored.status(), name);
+  return std::move(stored->summary);
 }
 
-std::vector<MapSummary> MapRegistry::List(const std::string& after, std::size_t max) const {
-  const MutexLock lock(mutex_);
+Result<std::vector<MapSummary>> MapRegistry::List(const std::string& after, std::size_t max) const {
+  DHPMAP_ASSIGN_OR_RETURN(std::vector<StoredMap> maps, store_.ListMaps(after, max));
   std::vector<MapSummary> summaries;
-  for (auto it = entries_.upper_bound(after); it != entries_.end() && summaries.size() < max; ++it) {
-    if (it->second->exists) summaries.push_back(Summarise(*it->second));
+  summaries.reserve(maps.size());
+  for (StoredMap& map : maps) {
+    const auto open_map = FindOpen(map.info.name);
+    summaries.push_back(open_map != nullptr ? SummaryOf(open_map->View()->snapshot()) : SummaryOf(std::move(map)));
   }
   return summaries;
 }
 
 std::shared_ptr<const LostRevisions> MapRegistry::LostRevisionsOf(const std::string& name) const {
-  const auto entry = FindEntry(name);
-  return entry ? entry->lost_revisions : std::make_shared<const LostRevisions>();
+  {
+    const MutexLock lock(mutex_);
+    const auto found = entries_.find(name);
+    if (found != entries_.end() && found->second->open_map != nullptr) return found->second->lost_revisions;
+  }
+  const auto stored = AskStore(name);
+  return stored.ok() ? stored->lost_revisions : std::make_shared<const LostRevisions>();
+}
+
+Result<MapInStore> MapRegistry::AskStore(const std::string& name) const {
+  std::uint64_t number = 0;
+  {
+    const MutexLock lock(mutex_);
+    if (const MapInStore* known = summaries_.Find(name)) return *known;
+    number = summaries_.number();
+  }
+  DHPMAP_ASSIGN_OR_RETURN(StoredMap map, store_.GetMap(name));
+  auto lost = std::make_shared<const LostRevisions>(std::move(map.lost_revisions));
+  MapInStore stored{.summary = SummaryOf(std::move(map)), .lost_revisions = std::move(lost)};
+  const MutexLock lock(mutex_);
+  summaries_.Add(name, stored, number);
+  return stored;
 }
 
 Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::string& etag) {
-  const auto entry = FindEntry(name);
-  if (entry == nullptr) {
-    const MutexLock lock(mutex_);
-    return NoSuchMapAmongThese(name);
+  const Place place(*this, name);
+  const MutexLock busy(place->busy);
+  std::shared_ptr<OpenMap> open_map = FindOpen(name);
+  MapInfo info{.name = name};
+  if (open_map == nullptr) {
+    auto stored = AskStore(name);
+    if (!stored.ok() && !IsDamage(stored.status())) return WithSuggestion(stored.status(), name);
+    if (stored.ok()) info = std::move(stored->summary.info);
+  } else {
+    info = open_map->View()->snapshot().info();
   }
-  const MutexLock busy(entry->busy);
-  std::shared_ptr<OpenMap> open_map;
-  {
-    const MutexLock lock(mutex_);
-    if (!entry->exists) return NoSuchMap(name);
-    DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, EtagOf(Summarise(*entry).info), "map '" + name + "'"));
-    open_map = entry->open_map;
-  }
+  DHPMAP_RETURN_IF_ERROR(CheckEtag(etag, EtagOf(info), "map '" + name + "'"));
   DHPMAP_RETURN_IF_ERROR(open_map ? open_map->DeleteFromStore() : store_.DeleteMap(name));
-  std::int64_t revision = 0;
+  const std::int64_t revision = open_map ? open_map->View()->snapshot().revision() : info.revision;
   {
     const MutexLock lock(mutex_);
-    revision = entry->open_map ? entry->open_map->View()->snapshot().revision() : entry->stored.info.revision;
-    entry->exists = false;
-    entry->open_map = nullptr;
-    entries_.erase(name);
+    place->open_map = nullptr;
+    summaries_.Forget(name);
   }
   changes_.Notify(name);
   if (open_map) (void)open_map->Stop();  // here, because none of the map's own threads may have to join itself
@@ -185,25 +192,35 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::str
   return revision;
 }
 
-std::shared_ptr<MapRegistry::Entry> MapRegistry::FindEntry(const std::string& name) const {
-  const MutexLock lock(mutex_);
-  const auto found = entries_.find(name);
-  return found == entries_.end() ? nullptr : found->second;
-}
-
 Status MapRegistry::NoSuchMapAmongThese(const std::string& name) const {
   constexpr std::size_t kMostNames = 1000;
-  std::vector<std::string> names;
-  for (const auto& [there, entry] : entries_) {
-    if (entry->exists && names.size() < kMostNames) names.push_back(there);
-  }
   const Status plain = NoSuchMap(name);
-  return NotFound(plain.message() + DidYouMean(name, names)).WithReason(plain.reason());
+  const auto names = store_.ListMapNames("", kMostNames);
+  if (!names.ok()) return plain;
+  return NotFound(plain.message() + DidYouMean(name, *names)).WithReason(plain.reason());
 }
 
-MapSummary MapRegistry::Summarise(const Entry& entry) const {
-  if (entry.open_map == nullptr) return entry.stored;
-  return SummaryOf(entry.open_map->View()->snapshot());
+Status MapRegistry::WithSuggestion(const Status& status, const std::string& name) const {
+  return status.code() == StatusCode::kNotFound ? NoSuchMapAmongThese(name) : status;
+}
+
+std::shared_ptr<OpenMap> MapRegistry::FindOpen(const std::string& name) const {
+  const MutexLock lock(mutex_);
+  const auto found = entries_.find(name);
+  return found != entries_.end() && !found->second->is_lost ? found->second->open_map : nullptr;
+}
+
+MapRegistry::Place::Place(MapRegistry& registry, const std::string& name) : registry_(registry), name_(name) {
+  const MutexLock lock(registry_.mutex_);
+  std::shared_ptr<Entry>& entry = registry_.entries_[name];
+  if (entry == nullptr) entry = std::make_shared<Entry>();
+  entry_ = entry;
+  ++entry_->num_places;
+}
+
+MapRegistry::Place::~Place() {
+  const MutexLock lock(registry_.mutex_);
+  if (--entry_->num_places == 0 && entry_->open_map == nullptr) registry_.entries_.erase(name_);
 }
 
 }  // namespace dhpmap

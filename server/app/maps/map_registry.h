@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,8 +20,10 @@
 #include "server/app/edits/edit_undo.h"
 #include "server/app/edits/map_edits.h"
 #include "server/app/edits/revision_restore.h"
+#include "server/app/maps/map_summary.h"
 #include "server/app/maps/outgoing_files.h"
 #include "server/app/maps/running_exports.h"
+#include "server/app/maps/summary_cache.h"
 #include "server/app/maps/surface_keeper.h"
 #include "server/app/open_map/open_map.h"
 #include "server/app/watch/change_feed.h"
@@ -38,14 +40,6 @@ struct RegistryOptions {
   int max_imports = 2;                                     ///< concurrent imports
 };
 
-struct MapSummary {
-  MapInfo info;
-  std::int64_t num_submaps = 0;  ///< the unknown submap included
-  Status damage;                 ///< why the store cannot read the map; then only info.name is valid
-};
-
-MapSummary SummaryOf(const MapSnapshot& snapshot);
-
 class IncomingMap;
 class MapRegistry;
 
@@ -57,8 +51,8 @@ struct ImportRequest {
   std::function<Status(const std::string& name)> check_name = {};
 };
 
-/// Reserves a name while its map is added to the store: no other map gets it, and no map is found there. Released by
-/// the destructor unless the map was shown. Movable.
+/// Reserves a name while its map is added to the store, which shows it: no other map of this process gets it. Released
+/// by the destructor. Movable.
 class HeldName {
  public:
   HeldName(MapRegistry& registry, std::string name) : registry_(&registry), name_(std::move(name)) {}
@@ -80,12 +74,13 @@ class HeldName {
 };
 
 /// All maps of a store. A map is loaded on the first access beyond its summary, and closed after
-/// RegistryOptions::idle_close_s without access. Thread-safe; no call on one map waits for another map.
+/// RegistryOptions::idle_close_s without access. Of closed maps the store is asked; where no other process writes it,
+/// the last answers are kept. Thread-safe; no call on one map waits for another map.
 class MapRegistry {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Reads the list of maps. The store outlives the registry, which is its only writer.
+  /// Takes as long for many maps as for few. The store outlives the registry, which is its only writer in this process.
   static Result<std::unique_ptr<MapRegistry>> Open(MapStore& store, OpenMapOptions map_options,
                                                    const RegistryOptions& options = {});
   /// Shutdown().
@@ -97,11 +92,11 @@ class MapRegistry {
   /// Begins the import of a file from MapStore::ExportMap. ALREADY_EXISTS, checked again at the end; INVALID_ARGUMENT
   /// for a bad name or size; RESOURCE_EXHAUSTED, reasons BODY_TOO_LARGE and TOO_BUSY.
   Result<std::unique_ptr<IncomingMap>> BeginImport(ImportRequest request);
+  // These ask the store about closed maps. UNAVAILABLE if it does not answer.
   /// NOT_FOUND if there is no such map, DATA_LOSS if it is damaged.
   Result<MapSummary> Get(const std::string& name) const;
-  /// Up to `max` of them, by name, from the first after `after` on; includes damaged ones.
-  [[nodiscard]] std::vector<MapSummary> List(const std::string& after = "",
-                                             std::size_t max = std::numeric_limits<std::size_t>::max()) const;
+  /// Up to `max` of them, by name, from the first after `after` on: fewer only at the end. Includes damaged ones.
+  Result<std::vector<MapSummary>> List(const std::string& after, std::size_t max) const;
   /// Revisions that were visible before a crash but never stored; empty for an unknown map. Not null.
   [[nodiscard]] std::shared_ptr<const LostRevisions> LostRevisionsOf(const std::string& name) const;
   /// Returns the last revision. ABORTED for a wrong etag, FAILED_PRECONDITION while the map is fed. Blocks.
@@ -110,8 +105,10 @@ class MapRegistry {
   /// The open map; loads it if necessary, which blocks. Returns errors of MapStore::LoadMap; the next call tries again.
   /// RESOURCE_EXHAUSTED, reason TOO_BUSY, while it is repaired.
   Result<std::shared_ptr<OpenMap>> GetOpen(const std::string& name);
-  /// Whether the map exists but is not open: access waits until it is loaded.
+  /// Whether it may be the name of a map, which then is not open: access waits for the store. Never waits itself.
   [[nodiscard]] bool MustLoad(const std::string& name) const;
+  /// Whether other processes write the store, too: then it is far, and even a summary may take long.
+  [[nodiscard]] bool SharesStore() const { return store_.fleet() != nullptr; }
   /// The last published state of the map; opens it if necessary.
   Result<std::shared_ptr<const MapView>> ViewOf(const std::string& name);
   /// The state at a recent revision, or the last published one; see dhpmap::ViewAt. `field` is the request's field with
@@ -167,6 +164,14 @@ class MapRegistry {
   /// while one of its views may have to read from the store.
   void CloseIdleMaps(Clock::time_point now);
 
+  // Only where several processes share the store: else FAILED_PRECONDITION, reason NO_FLEET.
+  /// Stores and closes the map if it is open, and gives it to a server, or (0) to whoever asks first: see
+  /// Fleet::GiveUp. Its streams end with NOT_OWNER. NOT_FOUND for no such server, FAILED_PRECONDITION if that server is
+  /// dead or drains; then nothing has changed. OK if the map is not ours. Blocks.
+  Status HandOver(const std::string& name, std::int64_t to_server);
+  /// Takes no more maps, and hands the open ones over to the other servers, evenly. Blocks.
+  Status HandAllOver();
+
   /// Stops all open maps: see OpenMap::Stop. They can still be read; others can no longer be opened (UNAVAILABLE).
   /// Returns the error of the first last state that could not be stored, or OK.
   Status Shutdown();
@@ -178,39 +183,65 @@ class MapRegistry {
   friend class IncomingMap;
   mutable Mutex mutex_;
 
-  /// An existing map, or one that is being created.
+  /// A map that is open, or that is being opened, closed, repaired or deleted.
   struct Entry {
     Mutex busy;  ///< held while the map is loaded or deleted; locked before the registry's mutex
-    std::shared_ptr<const LostRevisions> lost_revisions = std::make_shared<LostRevisions>();  ///< constant
-    bool exists DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;
+    int num_places DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = 0;
+    bool is_lost DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;      ///< what is open is another process's now
     bool is_repaired DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;  ///< may take minutes: callers do not wait for it
-    MapSummary stored DHPMAP_GUARDED_BY(&MapRegistry::mutex_);         ///< while it is closed
     std::shared_ptr<OpenMap> open_map DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
+    std::shared_ptr<const LostRevisions> lost_revisions DHPMAP_GUARDED_BY(&MapRegistry::mutex_);  ///< of the open map
     Clock::time_point last_used DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
   };
 
+  /// Finds the entry of a name, or adds one, and keeps it. At the end an entry without an open map goes with the last
+  /// place that has it. Declared before the lock of `busy`, so that it ends after it.
+  class Place {
+   public:
+    Place(MapRegistry& registry, const std::string& name);
+    ~Place();
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+    Entry& operator*() const { return *entry_; }
+    Entry* operator->() const { return entry_.get(); }
+
+   private:
+    MapRegistry& registry_;
+    const std::string name_;
+    std::shared_ptr<Entry> entry_;
+  };
+
   MapRegistry(MapStore& store, OpenMapOptions map_options, const RegistryOptions& options);
-  [[nodiscard]] std::shared_ptr<Entry> FindEntry(const std::string& name) const;
-  [[nodiscard]] MapSummary Summarise(const Entry& entry) const DHPMAP_REQUIRES(mutex_);
-  /// NOT_FOUND, with a suggestion from the existing names.
-  [[nodiscard]] Status NoSuchMapAmongThese(const std::string& name) const DHPMAP_REQUIRES(mutex_);
+  /// Null if it is not open.
+  [[nodiscard]] std::shared_ptr<OpenMap> FindOpen(const std::string& name) const;
+  /// Of a closed map. Errors as MapStore::GetMap.
+  Result<MapInStore> AskStore(const std::string& name) const;
+  /// NOT_FOUND, with a suggestion from the first names of the store.
+  [[nodiscard]] Status NoSuchMapAmongThese(const std::string& name) const;
+  /// The same in place of a NOT_FOUND; all else as it is.
+  [[nodiscard]] Status WithSuggestion(const Status& status, const std::string& name) const;
   [[nodiscard]] Status CheckIsFree(const std::string& name) const;
+  [[nodiscard]] Status CheckIsNotThere(const std::string& name) const;
   /// ALREADY_EXISTS; UNAVAILABLE if the registry is shut down.
   Result<HeldName> HoldName(const std::string& name);
   void GiveBack(const std::string& name);
-  /// The map is stored; makes it visible.
-  MapSummary Show(HeldName& held, MapSummary map);
-  Result<MapSummary> ShowStored(HeldName& held);
-  [[nodiscard]] bool IsOpen(const Entry& entry) const;
+  Result<std::shared_ptr<OpenMap>> Load(const std::string& name, Entry& entry);
   void CloseIfIdle(Entry& entry, Clock::time_point now);
   /// Whether closing may take evicted tiles away from holders of a state of the map.
   enum class Closing { kIfNotViewed, kEvenViewed };
   /// Closes it unless it was used after `used_until`.
   void CloseIfAtRest(Entry& entry, Clock::time_point used_until, Closing closing);
   void CloserLoop();
+  /// Another process has taken the map, or deleted it. Quick.
+  void NoteLoss(const std::string& name);
+  void CloseLostMaps();
+  /// Its streams end with `why`. No effect if it is not open.
+  void MoveAway(const std::string& name, Entry& entry, const Status& why) DHPMAP_REQUIRES(entry.busy);
   /// Opens the entry; null if the registry is shut down.
-  std::shared_ptr<OpenMap> Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot);
+  std::shared_ptr<OpenMap> Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot,
+                                   std::shared_ptr<const LostRevisions> lost_revisions);
 
+  static constexpr std::size_t kMaxSummaries = 1000;
   static constexpr std::size_t kMaxOutgoing = 4;
   static constexpr std::chrono::seconds kOutgoingIdle{30};
 
@@ -224,8 +255,11 @@ class MapRegistry {
   const std::shared_ptr<RunningExports> exports_ = RunningExports::Create();
   OutgoingFiles outgoing_{kMaxOutgoing, kOutgoingIdle};
   std::map<std::string, std::shared_ptr<Entry>> entries_ DHPMAP_GUARDED_BY(mutex_);
+  std::set<std::string> held_names_ DHPMAP_GUARDED_BY(mutex_);
+  mutable SummaryCache summaries_ DHPMAP_GUARDED_BY(mutex_);    ///< of closed maps
+  std::set<std::string> lost_names_ DHPMAP_GUARDED_BY(mutex_);  ///< to be closed by the closer
   bool is_shut_down_ DHPMAP_GUARDED_BY(mutex_) = false;
-  CondVar shut_down_;
+  CondVar closer_wake_;
   LazyThread closer_;  // joined by Shutdown
 };
 

@@ -1,44 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Verification and repair of stored maps.
-#include <utility>
-
 #include "mapping/base/guarded.h"
 #include "server/app/maps/map_registry.h"
-#include "server/app/maps/no_such_map.h"
 
 namespace dhpmap {
 
 Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, const std::stop_token& stop) {
   constexpr bool kRepair = true;
-  const auto entry = FindEntry(name);
-  if (entry == nullptr) {
-    const MutexLock lock(mutex_);
-    return NoSuchMapAmongThese(name);
+  if (!repair) {
+    auto report = store_.VerifyMap(name, !kRepair, stop);
+    if (!report.ok()) return WithSuggestion(report.status(), name);
+    return report;
   }
-  if (!repair) return store_.VerifyMap(name, !kRepair, stop);
-  // An open map may still have damaged voxels that were never read.
-  if (map_options_.pages.budget_bytes > 0 && IsOpen(*entry)) {
+  const Place place(*this, name);
+  // That a map is open says nothing of voxels that nobody has read yet.
+  if (map_options_.pages.budget_bytes > 0 && FindOpen(name) != nullptr) {
     auto looked_at = store_.VerifyMap(name, !kRepair, stop);
     if (!looked_at.ok() || looked_at->num_faults == 0) return looked_at;
-    CloseIfAtRest(*entry, Clock::time_point::max(), Closing::kEvenViewed);
+    CloseIfAtRest(*place, Clock::time_point::max(), Closing::kEvenViewed);
   }
-  const MutexLock busy(entry->busy);  // the map cannot be opened meanwhile
+  const MutexLock busy(place->busy);  // nobody opens it meanwhile
   bool is_open = false;
   {
     const MutexLock lock(mutex_);
-    if (!entry->exists) return NoSuchMap(name);
-    is_open = entry->open_map != nullptr;
-    entry->is_repaired = !is_open;
+    is_open = place->open_map != nullptr;
+    place->is_repaired = !is_open;
   }
   auto report = Guarded<Result<VerifyReport>>([&] { return store_.VerifyMap(name, !is_open, stop); });
   {
     const MutexLock lock(mutex_);
-    entry->is_repaired = false;
+    place->is_repaired = false;
+    summaries_.Forget(name);
   }
-  if (!report.ok() || !report->is_repaired) return report;
-  DHPMAP_ASSIGN_OR_RETURN(StoredMap map, store_.GetMap(name));
-  const MutexLock lock(mutex_);
-  entry->stored = {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = {}};
+  if (!report.ok()) return WithSuggestion(report.status(), name);
   return report;
 }
 

@@ -6,42 +6,53 @@
 #include "mapping/base/guarded.h"
 #include "server/app/maps/map_registry.h"
 #include "server/app/maps/no_such_map.h"
+#include "server/app/maps/not_owner.h"
 #include "server/app/open_map/shutting_down.h"
 
 namespace dhpmap {
 
 Result<std::shared_ptr<OpenMap>> MapRegistry::GetOpen(const std::string& name) {
-  const auto entry = FindEntry(name);
-  if (entry == nullptr) {
-    const MutexLock lock(mutex_);
-    return NoSuchMapAmongThese(name);
-  }
   {
     const MutexLock lock(mutex_);
-    entry->last_used = Clock::now();
-    if (entry->open_map) return entry->open_map;
-    if (entry->is_repaired) {
-      return ResourceExhausted("the map is being repaired: try again later").WithReason("TOO_BUSY");
+    if (const auto found = entries_.find(name); found != entries_.end()) {
+      Entry& entry = *found->second;
+      entry.last_used = Clock::now();
+      if (entry.open_map && !entry.is_lost) return entry.open_map;
+      if (entry.is_repaired) {
+        return ResourceExhausted("the map is being repaired: try again later").WithReason("TOO_BUSY");
+      }
     }
   }
-  const MutexLock busy(entry->busy);
+  const Place place(*this, name);
+  const MutexLock busy(place->busy);
+  bool is_lost = false;
   {
     const MutexLock lock(mutex_);
-    if (!entry->exists) return NoSuchMap(name);
-    entry->last_used = Clock::now();
-    if (entry->open_map) return entry->open_map;
-    if (!entry->stored.damage.ok()) return entry->stored.damage;
+    place->last_used = Clock::now();
+    if (place->open_map && !place->is_lost) return place->open_map;
+    is_lost = place->is_lost;
+  }
+  if (is_lost) MoveAway(name, *place, NotOwner(name, ""));
+  auto open_map = Load(name, *place);
+  if (!open_map.ok()) return WithSuggestion(open_map.status(), name);
+  return open_map;
+}
+
+Result<std::shared_ptr<OpenMap>> MapRegistry::Load(const std::string& name, Entry& entry) {
+  {
+    const MutexLock lock(mutex_);
+    entry.is_lost = false;  // before it is taken: from then on it may be lost again
   }
   DHPMAP_ASSIGN_OR_RETURN(std::shared_ptr<const MapSnapshot> snapshot, store_.LoadMap(name));
-  auto open_map = Install(*entry, std::move(snapshot));
+  // Afterwards: who takes a map from another process may leave numbers of it.
+  DHPMAP_ASSIGN_OR_RETURN(MapInStore stored, AskStore(name));
+  auto open_map = Install(entry, std::move(snapshot), std::move(stored.lost_revisions));
   if (open_map == nullptr) return ShuttingDown();
   return open_map;
 }
 
 bool MapRegistry::MustLoad(const std::string& name) const {
-  const MutexLock lock(mutex_);
-  const auto found = entries_.find(name);
-  return found != entries_.end() && found->second->exists && found->second->open_map == nullptr;
+  return !name.empty() && ValidateMapName(name).ok() && FindOpen(name) == nullptr;
 }
 
 Result<std::shared_ptr<const MapView>> MapRegistry::ViewOf(const std::string& name) {
@@ -64,24 +75,12 @@ Result<std::shared_ptr<const MapView>> MapRegistry::ViewAt(const std::string& na
 }
 
 std::optional<FinishProgress> MapRegistry::FinishingOf(const std::string& name) const {
-  const auto entry = FindEntry(name);
-  if (entry == nullptr) return std::nullopt;
-  std::shared_ptr<OpenMap> open_map;
-  {
-    const MutexLock lock(mutex_);
-    open_map = entry->open_map;
-  }
+  const auto open_map = FindOpen(name);
   return open_map != nullptr ? open_map->Finishing() : std::nullopt;
 }
 
 std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& state) const {
-  const auto entry = FindEntry(state.info().name);
-  if (entry == nullptr) return nullptr;
-  std::shared_ptr<OpenMap> open_map;
-  {
-    const MutexLock lock(mutex_);
-    open_map = entry->open_map;
-  }
+  const auto open_map = FindOpen(state.info().name);
   if (open_map == nullptr) return nullptr;
   auto present = open_map->View()->shared_snapshot();
   if (present->info().history_id != state.info().history_id) return nullptr;
@@ -107,42 +106,51 @@ Status MapRegistry::Shutdown() {
     const MutexLock lock(mutex_);
     is_shut_down_ = true;
   }
-  shut_down_.NotifyAll();
+  if (Fleet* const fleet = store_.fleet()) fleet->OnLost({});
+  closer_wake_.NotifyAll();
   closer_.Join();
   keeper_.Stop();
   Status outcome;
   for (const auto& open_map : OpenMaps()) {
-    if (const Status stored = open_map->Stop(); !stored.ok()) outcome = stored;
+    if (const Status stored = open_map->Stop(); !stored.ok() && open_map->loss().ok()) outcome = stored;
   }
   return outcome;
 }
 
 void MapRegistry::CloserLoop() {
-  const auto period =
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.idle_close_s / 4));
+  constexpr double kNever_s = 1e6;
+  const bool closes_idle = options_.idle_close_s > 0;
+  const auto period = std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(closes_idle ? options_.idle_close_s / 4 : kNever_s));
+  const auto is_woken = [this]() DHPMAP_REQUIRES(mutex_) { return is_shut_down_ || !lost_names_.empty(); };
+  auto next = Clock::now() + period;
   MutexLock lock(mutex_);
-  while (!shut_down_.WaitFor(mutex_, period, [this]() DHPMAP_REQUIRES(mutex_) { return is_shut_down_; })) {
+  while (!is_shut_down_) {
+    (void)closer_wake_.WaitUntil(mutex_, next, is_woken);
+    if (is_shut_down_) return;
     lock.Unlock();
-    TellSafely([this] { CloseIdleMaps(Clock::now()); });  // if memory has run out, maps are closed next time
-    TellSafely([this] { KeepPagesInBounds(); });
+    TellSafely([this] { CloseLostMaps(); });
+    if (Clock::now() >= next) {
+      if (closes_idle) TellSafely([this] { CloseIdleMaps(Clock::now()); });  // what lacks memory is closed next time
+      TellSafely([this] { KeepPagesInBounds(); });
+      next = Clock::now() + period;
+    }
     lock.Lock();
   }
 }
 
 void MapRegistry::CloseIdleMaps(Clock::time_point now) {
-  std::vector<std::shared_ptr<Entry>> open;
+  std::vector<std::string> open;
   {
     const MutexLock lock(mutex_);
     for (const auto& [name, entry] : entries_) {
-      if (entry->open_map) open.push_back(entry);
+      if (entry->open_map) open.push_back(name);
     }
   }
-  for (const auto& entry : open) CloseIfIdle(*entry, now);
-}
-
-bool MapRegistry::IsOpen(const Entry& entry) const {
-  const MutexLock lock(mutex_);
-  return entry.open_map != nullptr;
+  for (const std::string& name : open) {
+    const Place place(*this, name);
+    CloseIfIdle(*place, now);
+  }
 }
 
 void MapRegistry::CloseIfIdle(Entry& entry, Clock::time_point now) {
@@ -160,26 +168,34 @@ void MapRegistry::CloseIfAtRest(Entry& entry, Clock::time_point used_until, Clos
     if (!entry.open_map->IsAtRest()) return;
     // Unread parts of a viewed state disappear with the next change, unless that is made in this open map.
     if (closing == Closing::kIfNotViewed && map_options_.pages.budget_bytes > 0 && entry.open_map->IsViewed()) return;
-    entry.stored = Summarise(entry);
+    MapSummary last = SummaryOf(entry.open_map->View()->snapshot());
+    const std::string name = last.info.name;
+    summaries_.Forget(name);
+    summaries_.Add(name, {std::move(last), entry.lost_revisions}, summaries_.number());
     open_map = std::exchange(entry.open_map, nullptr);
   }
   (void)open_map->Stop();  // nothing is left to store
   const std::string name = open_map->View()->snapshot().info().name;
   open_map.reset();
   surfaces_.Forget(name);
+  if (Fleet* const fleet = store_.fleet()) (void)fleet->GiveUp(name, 0);  // else it stays ours, closed
 }
 
-std::shared_ptr<OpenMap> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot) {
+std::shared_ptr<OpenMap> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot,
+                                              std::shared_ptr<const LostRevisions> lost_revisions) {
   OpenMapOptions options = map_options_;
   options.publish.prepare = [this](const VisibleSnapshot::State& state, std::function<void()> ready) {
     return keeper_.Note(state, std::move(ready));
   };
-  options.commit.on_stored = [this, name = snapshot->info().name] { changes_.Notify(name); };
+  const std::string name = snapshot->info().name;
+  options.commit.on_stored = [this, name] { changes_.Notify(name); };
   options.on_finishing = options.commit.on_stored;
   auto open_map = std::make_shared<OpenMap>(std::move(snapshot), store_, std::move(options));
   const MutexLock lock(mutex_);
   if (is_shut_down_) return nullptr;
   entry.open_map = open_map;
+  entry.lost_revisions = std::move(lost_revisions);
+  summaries_.Forget(name);
   return open_map;
 }
 

@@ -40,6 +40,11 @@ Status MapIsDeleted(const StateMarks& committed) {
   return NotFound("map '" + committed.info().name + "' has been deleted").WithReason("MAP_NOT_FOUND");
 }
 
+/// Whether it will never be stored by this process.
+bool IsLoss(const Status& status) {
+  return status.reason() == Reason("NOT_OWNER") || status.reason() == Reason("MAP_NOT_FOUND");
+}
+
 }  // namespace
 
 CommitWorker::CommitWorker(MapStore& store, const std::shared_ptr<const MapSnapshot>& committed, double retry_s,
@@ -72,6 +77,8 @@ void CommitWorker::Enqueue(std::shared_ptr<const MapSnapshot> snapshot, Waiter w
     const MutexLock lock(mutex_);
     if (deleted_) {
       refused = MapIsDeleted(*committed_);
+    } else if (!loss_.ok()) {
+      refused = CopyOf(loss_);
     } else if (stopping_) {
       refused = ShuttingDown();
     } else if (refused = thread_.Start([this] { Loop(); }); refused.ok()) {
@@ -137,6 +144,11 @@ std::shared_ptr<const MapSnapshot> CommitWorker::LastLeft() const {
   return left_.lock();
 }
 
+Status CommitWorker::loss() const {
+  const MutexLock lock(mutex_);
+  return CopyOf(loss_);
+}
+
 Status CommitWorker::last_outcome() const {
   const MutexLock lock(mutex_);
   return CopyOf(last_outcome_);
@@ -158,7 +170,7 @@ void CommitWorker::Loop() {
   const MutexLock lock(mutex_);
   while (true) {
     const auto is_ready = [this]() DHPMAP_REQUIRES(mutex_) { return stopping_ || HasWork(); };
-    if (last_outcome_.ok() || deleted_) {
+    if (last_outcome_.ok() || deleted_ || !loss_.ok()) {
       if (!wake_.WaitFor(mutex_, LazyThread::kIdle, is_ready)) return thread_.Retire();
     } else if (!wake_.WaitFor(mutex_, retry, is_ready)) {
       CommitNewest();  // behind, with no request pending: try again
@@ -215,6 +227,7 @@ void CommitWorker::CommitNewest() {
                       return waiter.durability == Durability::kFull;
                     });
   const bool is_deleted = deleted_;
+  const Status loss = CopyOf(loss_);  // of a request that came before it was known
   mutex_.Unlock();
 
   const auto start = Clock::now();
@@ -222,6 +235,7 @@ void CommitWorker::CommitNewest() {
   const auto edited = std::find_if(served.begin(), served.end(), has_edit);
   const auto marks = Guarded<Result<Marks>>([&]() -> Result<Marks> {
     if (is_deleted) return MapIsDeleted(*before);
+    if (!loss.ok()) return loss;
     return Store(before, after.get(), full ? Durability::kFull : Durability::kNormal,
                  edited != served.end() ? edited->edit.get() : nullptr);
   });
@@ -238,6 +252,10 @@ void CommitWorker::CommitNewest() {
       if (is_newest) committed_state_ = std::exchange(newest_, nullptr);
       else if (is_missing) committed_state_ = after;
     } else if (std::any_of(served.begin(), served.end(), is_unseen)) {
+      newest_ = nullptr;
+    }
+    if (IsLoss(marks.status())) {
+      loss_ = CopyOf(marks.status());
       newest_ = nullptr;
     }
     last_outcome_ = CopyOf(marks.status());

@@ -18,7 +18,9 @@ namespace dhpmap {
 /// Commits a map's published snapshots on its own thread, so that fusion never waits for the disk. Requests that arrive
 /// during a commit are merged into one commit of the newest snapshot. A failed commit changes nothing: the next one
 /// writes everything since the last stored state. Exceptions of the store count as failures, RESOURCE_EXHAUSTED for
-/// std::bad_alloc, else INTERNAL; exceptions of callbacks are dropped. Thread-safe.
+/// std::bad_alloc, else INTERNAL; exceptions of callbacks are dropped. Once the store says that the map is another
+/// process's (NOT_OWNER) or gone (MAP_NOT_FOUND), nothing more is tried: all that is not stored is dropped.
+/// Thread-safe.
 class CommitWorker {
  public:
   using Done = std::function<void(const Status&)>;
@@ -59,6 +61,8 @@ class CommitWorker {
   [[nodiscard]] std::int64_t committed_frames() const;
   /// Of the feed session's last stored frame; nothing if there is none.
   [[nodiscard]] std::optional<std::int64_t> committed_sequence(const std::string& session) const;
+  /// Not OK: the map is another process's, or gone. Does not throw.
+  [[nodiscard]] Status loss() const;
   /// Outcome of the last commit: OK, or why the store is behind. Does not throw.
   [[nodiscard]] Status last_outcome() const;
 
@@ -107,6 +111,7 @@ class CommitWorker {
   Status last_outcome_ DHPMAP_GUARDED_BY(mutex_);
   bool stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool deleted_ DHPMAP_GUARDED_BY(mutex_) = false;
+  Status loss_ DHPMAP_GUARDED_BY(mutex_);
 
   LazyThread thread_;  // started and retired under the mutex; joined by Stop, after the last start
 };

@@ -70,6 +70,7 @@ Status Committer::StoreFirst(const State& published) {
 
 /// More frames would only increase the loss in a crash.
 Status Committer::CheckIsNotBehind() const {
+  DHPMAP_RETURN_IF_ERROR(worker_.loss());
   const double behind_s = BehindSeconds();
   if (behind_s <= options_.max_behind_s) return Status::Ok();
   const std::string cause = last_outcome().message();

@@ -68,7 +68,7 @@ class Committer {
 
   /// The map's frame number `num_frames` is fused. Does not throw.
   void OnFused(std::int64_t num_frames) { lag_.OnFused(num_frames, StoreLag::Clock::now()); }
-  /// UNAVAILABLE, reason STORE_BEHIND, while unstored frames are older than max_behind_s.
+  /// UNAVAILABLE, reason STORE_BEHIND, while unstored frames are older than max_behind_s; CommitWorker::loss.
   [[nodiscard]] Status CheckIsNotBehind() const;
 
   // Queries: thread-safe.
@@ -80,6 +80,8 @@ class Committer {
   [[nodiscard]] std::optional<std::int64_t> StoredSequence(const std::string& session) const {
     return worker_.committed_sequence(session);
   }
+  /// See CommitWorker::loss.
+  [[nodiscard]] Status loss() const { return worker_.loss(); }
   /// OK, or why the store is behind. Does not throw.
   [[nodiscard]] Status last_outcome() const { return worker_.last_outcome(); }
 

@@ -102,7 +102,7 @@ FrameOutcome FrameIntake::IntegrateNow(Arrival& arrival) {
 /// On a failure or exception the map is unchanged.
 Result<FrameReport> FrameIntake::TakeInTurn(Arrival& arrival, bool& is_duplicate) {
   const std::shared_ptr<Feed>& feed = arrival.feed;
-  if (writer_.give_up.stop_requested()) return ShuttingDown();
+  if (writer_.give_up.stop_requested()) return writer_.queue.EndReason();
   if (feed) DHPMAP_RETURN_IF_ERROR(feed->MayFeed());
   if (feed && arrival.frame.sequence <= writer_.map().info().sessions.LastOf(feed->session())) {
     is_duplicate = true;
@@ -153,7 +153,7 @@ Result<FrameReport> FrameIntake::Fuse(Feed* feed, std::int64_t sequence, const P
   }
   auto report =
       writer_.builder.Integrate(frame, writer_.give_up, feed ? feed->implausible() : ImplausibleFrames::kFuse);
-  if (report.status().code() == StatusCode::kCancelled) return ShuttingDown();
+  if (report.status().code() == StatusCode::kCancelled) return writer_.queue.EndReason();
   if (!report.ok()) return report;
   // The frame is in the map: nothing may throw from here on.
   if (has_session) writer_.map().mutable_info().sessions = std::move(sessions);

@@ -11,8 +11,9 @@ namespace {
 
 /// The error for an edit that was not made because it could not be stored.
 Status NotMade(const Status& cause) {
-  return Status(cause.code(), "nothing was changed, because it cannot be stored: " + cause.message())
-      .WithReason(cause.reason().empty() ? Reason("NOT_STORED") : cause.reason());
+  Status status(cause.code(), "nothing was changed, because it cannot be stored: " + cause.message());
+  for (const auto& [key, value] : cause.metadata()) status = std::move(status).WithMetadata(key, value);
+  return std::move(status).WithReason(cause.reason().empty() ? Reason("NOT_STORED") : cause.reason());
 }
 
 /// The log entry of an edit.

@@ -121,7 +121,7 @@ Result<RefinementReport> MapFinisher::Refine(const std::stop_token& stop) {
   const auto is_cancelled = [this, &stop] { return stop.stop_requested() || writer_.give_up.stop_requested(); };
   const auto report = writer_.builder.Finish(is_cancelled);
   if (report) return *report;
-  if (writer_.give_up.stop_requested()) return ShuttingDown();
+  if (writer_.give_up.stop_requested()) return writer_.queue.EndReason();
   return NobodyWaitsForTheEnd();
 }
 

@@ -111,6 +111,12 @@ bool OpenMap::IsAtRest() const {
   return queue_.IsAtRest() && BehindSeconds() == 0 && committer_.stored_revision() == View()->snapshot().revision();
 }
 
+Status OpenMap::MoveAway(const Status& why) {
+  queue_.Close(CopyOf(why));
+  intake_.seats().MoveAway(why);
+  return Stop();
+}
+
 Status OpenMap::Stop() {
   const MutexLock stop_lock(stop_mutex_);
   give_up_.request_stop();

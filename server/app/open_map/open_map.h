@@ -166,6 +166,11 @@ class OpenMap {
   void GiveUpMapping() { give_up_.request_stop(); }
   [[nodiscard]] bool HasGivenUpMapping() const { return give_up_.stop_requested(); }
 
+  /// Another process writes the map now, or will: Stop, but feeds end with `why`, which jobs are refused with, too.
+  Status MoveAway(const Status& why) DHPMAP_EXCLUDES(stop_mutex_);
+  /// Not OK: another process has taken the map, or deleted it; nothing more of it is stored here.
+  [[nodiscard]] Status loss() const { return committer_.loss(); }
+
   /// Ends the running job (cancelling a frame or a refinement), refuses queued and later ones with UNAVAILABLE, commits
   /// with a full sync, and joins the threads. Returns the outcome of that commit.
   Status Stop() DHPMAP_EXCLUDES(stop_mutex_);

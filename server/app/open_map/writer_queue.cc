@@ -35,6 +35,11 @@ Status WriterQueue::refusal() const {
   return refusal_;
 }
 
+Status WriterQueue::EndReason() const {
+  Status why = refusal();
+  return why.ok() ? ShuttingDown() : why;
+}
+
 void WriterQueue::Close(Status why) {
   const MutexLock lock(mutex_);
   refusal_ = std::move(why);

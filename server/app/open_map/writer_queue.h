@@ -47,6 +47,8 @@ class WriterQueue {
 
   /// OK, or the error for later jobs.
   [[nodiscard]] Status refusal() const DHPMAP_EXCLUDES(mutex_);
+  /// The error for a job that gives up because the map's mapping ends: the same, or ShuttingDown.
+  [[nodiscard]] Status EndReason() const DHPMAP_EXCLUDES(mutex_);
   /// Refuses later jobs with `why`; queued ones still run.
   void Close(Status why) DHPMAP_EXCLUDES(mutex_);
   /// No job is running or queued.

@@ -2,7 +2,9 @@
 // What every MapStore promises, asked of each of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -113,6 +115,34 @@ TEST_P(MapStoreTest, ListsMapsByNameWithTheirSizes) {
   EXPECT_EQ(zoo->num_label_blocks, num_labels);
   EXPECT_GT(zoo->blob_bytes, 100 * num_tsdf);
   EXPECT_EQ(zoo->info.revision, loaded->revision());
+}
+
+TEST_P(MapStoreTest, ListsMapsPageByPageByTheBytesOfTheirNames) {
+  const std::vector<std::string> names = {"9", "a", "a-b", "a.b", "a_b", "aa", "b"};
+  for (const std::string& name : {names[3], names[0], names[6], names[1], names[5], names[4], names[2]}) {
+    ASSERT_TRUE(store_->CreateMap(*Map(generator_.Info(name)).Publish(1)).ok());
+  }
+  for (std::size_t size = 1; size <= names.size() + 1; ++size) {
+    std::vector<std::string> listed;
+    for (;;) {
+      const auto page = store_->ListMaps(listed.empty() ? "" : listed.back(), size);
+      ASSERT_TRUE(page.ok()) << page.status().ToString();
+      ASSERT_LE(page->size(), size);
+      for (const StoredMap& map : *page) {
+        listed.push_back(map.info.name);
+        const auto alone = store_->GetMap(map.info.name);
+        ASSERT_TRUE(alone.ok());
+        testing::ExpectSameMapInfo(map.info, alone->info);
+        EXPECT_EQ(map.num_submaps, alone->num_submaps);
+      }
+      if (page->size() < size) break;
+    }
+    EXPECT_EQ(listed, names) << "by pages of " << size;
+    const auto num_first = static_cast<std::ptrdiff_t>(std::min(size, names.size()));
+    EXPECT_EQ(*store_->ListMapNames("", size), std::vector<std::string>(names.begin(), names.begin() + num_first));
+  }
+  EXPECT_EQ(store_->ListMaps("a-a", 1)->at(0).info.name, "a-b") << "after a name that is not there";
+  EXPECT_EQ(*store_->ListMapNames("aa", 9), (std::vector<std::string>{"b"}));
 }
 
 TEST_P(MapStoreTest, DeletedMapsAreGoneAndTheirNameIsFree) {

@@ -231,9 +231,7 @@ inline void ExpectSameVoxels(const FreeSpace& expected, const FreeSpace& actual)
   }
 }
 
-/// Equal, with distances within the store's contract of truncation / 4096.
-inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual) {
-  const MapInfo &e = expected.info(), &a = actual.info();
+inline void ExpectSameMapInfo(const MapInfo& e, const MapInfo& a) {
   EXPECT_EQ(e.name, a.name);
   EXPECT_EQ(e.display_name, a.display_name);
   EXPECT_EQ(e.history_id, a.history_id);
@@ -248,6 +246,11 @@ inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual
   EXPECT_EQ(e.merged, a.merged);
   EXPECT_EQ(e.pairs, a.pairs);
   EXPECT_TRUE(e.kept_clear == a.kept_clear);
+}
+
+/// Equal, with distances within the store's contract of truncation / 4096.
+inline void ExpectSameMap(const MapSnapshot& expected, const MapSnapshot& actual) {
+  ExpectSameMapInfo(expected.info(), actual.info());
   ExpectSameVoxels(*expected.free_space(), *actual.free_space());
   ExpectSameVoxels(*expected.vacated(), *actual.vacated());
   ASSERT_EQ(expected.submaps().size(), actual.submaps().size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a store on PostgreSQL promises beyond any other: few round trips, owners, and answers that got lost.
+// What a store on PostgreSQL promises beyond any other: few round trips, and answers that got lost. Owners:
+// owners_test.cc.
 #include "storage/postgres_store.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,8 @@ TEST_F(PostgresStoreTest, ACommitTakesTwoRoundTripsWhateverItHolds) {
   const std::string url = PostgresCluster::Get()->Url();
   ASSERT_NE(Open(), nullptr);  // makes the tables
   postgres::Pool pool({.url = url, .schema = schema_}, 1);
-  postgres::MapOwnership maps(pool, {});
+  postgres::Peers peers(1, 2, {});
+  postgres::MapOwnership maps(pool, peers, {});
   const postgres::KeepingLimits limits;
   postgres::Writer writer(pool, maps, limits, std::chrono::seconds(20));
   Map map(generator_.Info("house"));
@@ -84,21 +86,6 @@ TEST_F(PostgresStoreTest, ACommitTakesTwoRoundTripsWhateverItHolds) {
   const std::int64_t trips_before = pool.num_round_trips();
   ASSERT_TRUE(writer.Commit({StateMarks(*before), *after, &edit}).ok());
   EXPECT_EQ(pool.num_round_trips() - trips_before, 2) << "an edit with its log and what undoes it";
-}
-
-TEST_F(PostgresStoreTest, WhoHasLostAMapIsRefusedAndChangesNothing) {
-  const auto first = Open(), second = Open();
-  const auto map = Create(*first);
-  const auto taken = second->LoadMap("house");
-  ASSERT_TRUE(taken.ok());
-  const auto stored = map->published();
-  const Status refused = Commit(*first, *map, 20);
-  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
-  EXPECT_EQ(refused.reason(), Reason("DATABASE_IN_USE"));
-  ExpectStored(*second, *stored);
-  Map going_on(*taken);
-  EXPECT_TRUE(Commit(*second, going_on, 30).ok()) << "the new owner goes on";
-  ExpectStored(*second, *going_on.published());
 }
 
 TEST_F(PostgresStoreTest, ACommitGoesOnAfterAllConnectionsWereCut) {
@@ -196,10 +183,11 @@ TEST_F(CommitInDoubt, OfAnEditThatItsMapHasDroppedEndsTheMapsCommits) {
 }
 
 TEST_F(PostgresStoreTest, ReservedNumbersAreLeftByTheNextOwner) {
-  const auto first = Open();
+  auto first = Open();
   const auto map = Create(*first);
   const MapInfo info = map->published()->info();
   ASSERT_TRUE(first->Reserve("house", {info.revision + 5, SubmapId(40)}).ok());
+  first.reset();
   const auto second = Open();
   const auto loaded = second->LoadMap("house");
   ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();

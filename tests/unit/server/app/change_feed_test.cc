@@ -13,7 +13,9 @@ namespace {
 /// A memory store that counts how often its changes are read.
 class CountingStore final : public MapStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps() override { return store_->ListMaps(); }
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return store_->ListMaps(after, max);
+  }
   Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return store_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {

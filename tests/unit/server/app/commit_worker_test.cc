@@ -27,7 +27,7 @@ class ScriptedStore final : public MapStore {
     Durability durability;
   };
 
-  Result<std::vector<StoredMap>> ListMaps() override { return std::vector<StoredMap>{}; }
+  Result<std::vector<StoredMap>> ListMaps(const std::string&, std::size_t) override { return std::vector<StoredMap>{}; }
   Result<StoredMap> GetMap(const std::string&) override {
     if (!stored) return NotFound("not here");
     return *stored;
@@ -291,6 +291,20 @@ TEST_F(CommitWorkerTest, WhoThrowsWhenToldKeepsNobodyFromTheAnswer) {
   worker->Stop();
   EXPECT_GE(num_heard, 2);
   worker->Request(Change(), Durability::kNormal, rude);  // refused here and now
+}
+
+TEST_F(CommitWorkerTest, OnceTheMapIsAnothersNothingMoreIsTried) {
+  worker.emplace(store, first, /*retry_s=*/0.001, CommitWorker::Observer());
+  store.next_outcome = Unavailable("taken").WithReason("NOT_OWNER").WithMetadata("owner", "two:2");
+  const Status refused = Request(Change(), Durability::kNormal).get();
+  EXPECT_EQ(refused.reason(), Reason("NOT_OWNER"));
+  ASSERT_EQ(refused.metadata().size(), 1u);
+  EXPECT_EQ(worker->loss().reason(), Reason("NOT_OWNER"));
+  EXPECT_EQ(Request(Change(), Durability::kFull).get().reason(), Reason("NOT_OWNER"));
+  EXPECT_EQ(worker->CommitUnseen(Change()).metadata(), refused.metadata()) << "an edit is dropped with the same words";
+  worker->Stop();
+  EXPECT_EQ(store.calls.size(), 1u) << "neither retried, nor at the end";
+  EXPECT_EQ(worker->committed_revision(), 1);
 }
 
 }  // namespace

@@ -242,5 +242,17 @@ TEST(Feed, RemembersNoMoreFramesThanItMayAndNeverSaysTooMuch) {
   EXPECT_EQ(feed.StoredUpTo(num_frames), num_frames);
 }
 
+TEST_F(FeedSeatsTest, WhenTheMapMovesAwayAllAreToldWhereAndNobodyIsTaken) {
+  const auto a = *seats.Take(Request("a")), b = *seats.Take(Request("b"));
+  seats.MoveAway(Unavailable("moved").WithReason("NOT_OWNER").WithMetadata("owner", "two:2"));
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0].reason(), Reason("NOT_OWNER"));
+  EXPECT_EQ(told[1].metadata().front().second, "two:2");
+  EXPECT_EQ(a->MayFeed().reason(), Reason("NOT_OWNER"));
+  EXPECT_EQ(seats.Take(Request("c")).status().reason(), Reason("NOT_OWNER"));
+  seats.Leave(b);
+  EXPECT_EQ(b->MayFeed().reason(), Reason("NOT_OWNER")) << "once ended it stays so";
+}
+
 }  // namespace
 }  // namespace dhpmap

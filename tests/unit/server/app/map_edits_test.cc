@@ -58,7 +58,7 @@ class RenameLogStore final : public MapStore {
   }
   [[nodiscard]] std::int64_t last() const { return last_; }
 
-  Result<std::vector<StoredMap>> ListMaps() override { return Internal("not here"); }
+  Result<std::vector<StoredMap>> ListMaps(const std::string&, std::size_t) override { return Internal("not here"); }
   Result<StoredMap> GetMap(const std::string&) override { return Internal("not here"); }
   Status CreateMap(const MapSnapshot&) override { return Internal("not here"); }
   Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Internal("not here"); }

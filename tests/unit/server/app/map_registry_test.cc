@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <map>
 #include <string>
 
 #include "mapping/query/distance_query.h"
@@ -28,14 +29,16 @@ MapInfo InfoOf(const std::string& name) {
 /// A store in memory that counts loads, refuses what it is told to, and can be made to take its time over one map.
 class MoodyStore final : public MapStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps() override {
-    auto maps = inner_->ListMaps();
-    if (maps.ok()) {
-      for (StoredMap& map : *maps) map.lost_revisions = lost_revisions;
-    }
-    return maps;
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    ++num_lists;
+    return inner_->ListMaps(after, max);
   }
-  Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
+  Result<StoredMap> GetMap(const std::string& name) override {
+    ++num_asked;
+    auto map = inner_->GetMap(name);
+    if (map.ok()) map->lost_revisions = lost_revisions[name];
+    return map;
+  }
   Status CreateMap(const MapSnapshot& snapshot) override {
     return refusal.ok() ? inner_->CreateMap(snapshot) : refusal;
   }
@@ -43,21 +46,27 @@ class MoodyStore final : public MapStore {
     return inner_->Commit(before, after, durability);
   }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
-    ++num_loads;
     if (!refusal.ok()) return refusal;
-    if (name == "slow") {
+    if (name == "slow" && !has_been_slow.exchange(true)) {
       is_loading_slow.set_value();
       may_go_on.get_future().wait();
     }
-    return inner_->LoadMap(name);
+    auto map = inner_->LoadMap(name);
+    num_loads += map.ok() ? 1 : 0;
+    return map;
   }
   Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner_->Reserve(name, marks); }
-  Status DeleteMap(const std::string& name) override { return refusal.ok() ? inner_->DeleteMap(name) : refusal; }
+  Status DeleteMap(const std::string& name) override {
+    if (!refusal.ok()) return refusal;
+    lost_revisions.erase(name);
+    return inner_->DeleteMap(name);
+  }
 
   Status refusal;
-  LostRevisions lost_revisions;
-  std::atomic<int> num_loads = 0;
+  std::map<std::string, LostRevisions> lost_revisions;
+  std::atomic<int> num_loads = 0, num_asked = 0, num_lists = 0;
   std::promise<void> is_loading_slow, may_go_on;
+  std::atomic<bool> has_been_slow = false;
 
  private:
   const std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
@@ -99,16 +108,19 @@ TEST_F(MapRegistryTest, AMapThatCannotBeStoredIsNotThere) {
   store_.refusal = ResourceExhausted("the disk is full");
   EXPECT_EQ(registry_->Create(InfoOf("room")).status().code(), StatusCode::kResourceExhausted);
   EXPECT_EQ(registry_->Get("room").status().code(), StatusCode::kNotFound);
-  EXPECT_TRUE(registry_->List().empty());
+  EXPECT_TRUE(registry_->List("", 10)->empty());
   store_.refusal = Status::Ok();
   EXPECT_TRUE(registry_->Create(InfoOf("room")).ok());
 }
 
 TEST_F(MapRegistryTest, RevisionsThatACrashHasLostAreThoseOfTheMapAndNotOfTheNextOfItsName) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
-  store_.lost_revisions = {{2, 500}, {701, 800}};
+  const LostRevisions lost = {{2, 500}, {701, 800}};
+  store_.lost_revisions["room"] = lost;
   registry_ = Open();
-  EXPECT_EQ(*registry_->LostRevisionsOf("room"), store_.lost_revisions);
+  EXPECT_EQ(*registry_->LostRevisionsOf("room"), lost) << "while it is closed";
+  ASSERT_TRUE(registry_->GetOpen("room").ok());
+  EXPECT_EQ(*registry_->LostRevisionsOf("room"), lost);
   EXPECT_EQ(*registry_->LostRevisionsOf("hall"), LostRevisions());
   ASSERT_TRUE(registry_->Delete("room").ok());
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
@@ -154,7 +166,7 @@ TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileNobodyWri
 TEST_F(MapRegistryTest, ListsByNameWithoutLoading) {
   for (const char* name : {"hall", "attic", "cellar"}) ASSERT_TRUE(registry_->Create(InfoOf(name)).ok());
   for (const auto& registry : {std::move(registry_), Open()}) {  // the one that made them, and a later one
-    const auto maps = registry->List();
+    const auto maps = registry->List("", 10).value();
     ASSERT_EQ(maps.size(), 3u);
     EXPECT_EQ(maps[0].info.name, "attic");
     EXPECT_EQ(maps[1].info.name, "cellar");
@@ -165,13 +177,61 @@ TEST_F(MapRegistryTest, ListsByNameWithoutLoading) {
   EXPECT_EQ(store_.num_loads, 0);
 }
 
+TEST_F(MapRegistryTest, AStartAsksNothingOfTheMaps) {
+  for (const char* name : {"hall", "attic"}) ASSERT_TRUE(registry_->Create(InfoOf(name)).ok());
+  store_.num_asked = store_.num_lists = 0;
+  registry_ = Open();
+  EXPECT_EQ(store_.num_lists, 0);
+  EXPECT_EQ(store_.num_asked, 0);
+  EXPECT_TRUE(registry_->MustLoad("hall"));
+  EXPECT_TRUE(registry_->MustLoad("nowhere")) << "the store knows, and this must not wait for it";
+  EXPECT_FALSE(registry_->MustLoad(""));
+  EXPECT_FALSE(registry_->MustLoad("../etc"));
+  EXPECT_EQ(store_.num_lists + store_.num_asked, 0);
+}
+
+TEST_F(MapRegistryTest, WhatTheStoreHasSaidOfAClosedMapIsAskedOnce) {
+  ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
+  registry_ = Open();
+  store_.num_asked = 0;
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(registry_->Get("room").ok());
+  EXPECT_EQ(store_.num_asked, 1);
+  ASSERT_TRUE(registry_->Delete("room").ok());
+  EXPECT_EQ(registry_->Get("room").status().code(), StatusCode::kNotFound);
+}
+
+TEST_F(MapRegistryTest, ListsPagesByName) {
+  for (const char* name : {"d", "b", "c", "a"}) ASSERT_TRUE(registry_->Create(InfoOf(name)).ok());
+  const auto names = [this](const std::string& after, std::size_t max) {
+    const std::vector<MapSummary> maps = registry_->List(after, max).value();
+    std::string all;
+    for (const MapSummary& map : maps) all += map.info.name;
+    return all;
+  };
+  EXPECT_EQ(names("", 3), "abc");
+  EXPECT_EQ(names("b", 1), "c");
+  EXPECT_EQ(names("bb", 9), "cd") << "after a name that is not there";
+  EXPECT_EQ(names("d", 9), "");
+}
+
+TEST_F(MapRegistryTest, NamesThatAreNotThereLeaveNothingBehindAndAreSuggested) {
+  ASSERT_TRUE(registry_->Create(InfoOf("kitchen")).ok());
+  for (const Status& status : {registry_->Get("kitchn").status(), registry_->GetOpen("kitchn").status(),
+                               registry_->Delete("kitchn").status()}) {
+    EXPECT_EQ(status.code(), StatusCode::kNotFound);
+    EXPECT_NE(status.message().find("kitchen"), std::string::npos) << status.ToString();
+  }
+  EXPECT_TRUE(registry_->OpenMaps().empty());
+  EXPECT_TRUE(registry_->Create(InfoOf("kitchn")).ok());
+}
+
 TEST_F(MapRegistryTest, SummariesFollowTheOpenMap) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   const auto session = registry_->GetOpen("room");
   ASSERT_TRUE(session.ok());
   EditOnce(**session);
   EXPECT_EQ(registry_->Get("room")->num_submaps, 2);
-  EXPECT_EQ(registry_->List()[0].num_submaps, 2);
+  EXPECT_EQ(registry_->List("", 10)->at(0).num_submaps, 2);
 }
 
 TEST_F(MapRegistryTest, AMapThatNobodyUsesIsClosedAndOpenedAgainWithoutNotice) {
@@ -250,7 +310,7 @@ TEST_F(MapRegistryTest, LoadingOneMapKeepsNobodyWaitingForAnother) {
   store_.is_loading_slow.get_future().wait();
   EXPECT_TRUE(registry_->GetOpen("room").ok());
   EXPECT_TRUE(registry_->Get("slow").ok()) << "its summary needs no loading";
-  EXPECT_EQ(registry_->List().size(), 2u);
+  EXPECT_EQ(registry_->List("", 10)->size(), 2u);
   EXPECT_TRUE(registry_->Create(InfoOf("hall")).ok());
   EXPECT_TRUE(registry_->Delete("hall").ok());
   store_.may_go_on.set_value();

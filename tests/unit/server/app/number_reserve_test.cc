@@ -12,7 +12,7 @@ namespace {
 /// Keeps the marks that it is asked to, and can be made slow or full.
 class MarkStore final : public MapStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps() override { return std::vector<StoredMap>{}; }
+  Result<std::vector<StoredMap>> ListMaps(const std::string&, std::size_t) override { return std::vector<StoredMap>{}; }
   Result<StoredMap> GetMap(const std::string&) override { return NotFound("not here"); }
   Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
   Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Status::Ok(); }

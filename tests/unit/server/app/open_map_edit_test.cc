@@ -213,7 +213,9 @@ TEST_F(OpenMapTest, WhatTheMovesOfAListHaveLeftIsStoredAndUndone) {
 /// does: one may come twice, as a frame's commit is in the store before the session knows.
 class WaitingStore final : public MapStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps() override { return inner_->ListMaps(); }
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return inner_->ListMaps(after, max);
+  }
   Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {

@@ -395,7 +395,9 @@ TEST_F(OpenMapTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
 /// A store that remembers how the last commit was made.
 class SyncStore final : public MapStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps() override { return inner->ListMaps(); }
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return inner->ListMaps(after, max);
+  }
   Result<StoredMap> GetMap(const std::string& name) override { return inner->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return inner->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
@@ -423,36 +425,42 @@ TEST(OpenMap, AFlushIsSyncedInFullEvenIfAllWasCommittedBefore) {
   EXPECT_EQ(store.last, Durability::kFull);
 }
 
-/// A store with one map of which nothing but the name can be read.
+/// A store with one map, beside others, of which nothing but the name can be read.
 class DamagedStore final : public MapStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps() override {
-    if (is_deleted) return std::vector<StoredMap>{};
-    return std::vector<StoredMap>{{.info = {.name = "ruin"}, .damage = DataLoss("a checksum is wrong")}};
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    DHPMAP_ASSIGN_OR_RETURN(auto maps, inner->ListMaps(after, max));
+    for (StoredMap& map : maps) {
+      if (map.info.name == "ruin") map = DamagedMap("ruin", DataLoss("a checksum is wrong"));
+    }
+    return maps;
   }
-  Result<StoredMap> GetMap(const std::string&) override { return DataLoss("a checksum is wrong"); }
-  Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
+  Result<StoredMap> GetMap(const std::string& name) override {
+    auto map = inner->GetMap(name);
+    if (map.ok() && name == "ruin") return DataLoss("a checksum is wrong");
+    return map;
+  }
+  Status CreateMap(const MapSnapshot& snapshot) override { return inner->CreateMap(snapshot); }
   Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Status::Ok(); }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return DataLoss("no"); }
-  Status DeleteMap(const std::string&) override {
-    is_deleted = true;
-    return Status::Ok();
-  }
+  Status DeleteMap(const std::string& name) override { return inner->DeleteMap(name); }
   Status Reserve(const std::string&, const NumberMarks&) override { return Status::Ok(); }
-  bool is_deleted = false;
+
+  std::unique_ptr<MapStore> inner = MakeMemoryStore();
 };
 
 TEST(MapRegistry, ADamagedMapIsListedRefusedAndCanBeDeletedBesideTheOthers) {
   DamagedStore store;
+  ASSERT_TRUE(store.CreateMap(*Map(RoomInfo("ruin")).Publish(1)).ok());
   const auto registry = std::move(MapRegistry::Open(store, {.mapping = {.num_threads = 1}})).value();
-  ASSERT_EQ(registry->List().size(), 1u);
-  EXPECT_EQ(registry->List()[0].damage.code(), StatusCode::kDataLoss);
+  ASSERT_EQ(registry->List("", 10)->size(), 1u);
+  EXPECT_EQ(registry->List("", 10)->at(0).damage.code(), StatusCode::kDataLoss);
   EXPECT_EQ(registry->Get("ruin").status().code(), StatusCode::kDataLoss);
   EXPECT_EQ(registry->GetOpen("ruin").status().code(), StatusCode::kDataLoss);
   EXPECT_EQ(registry->Create(RoomInfo("ruin")).status().code(), StatusCode::kAlreadyExists);
   EXPECT_TRUE(registry->Create(RoomInfo("room")).ok());
   EXPECT_TRUE(registry->Delete("ruin").ok());
-  EXPECT_EQ(registry->List().size(), 1u);
+  EXPECT_EQ(registry->List("", 10)->size(), 1u);
 }
 
 TEST_F(OpenMapTest, AMapIsDeletedUnderItsUsers) {

@@ -34,7 +34,9 @@ constexpr int kForEver = 1 << 30;
 /// A memory store that runs short of memory.
 class ShortStore final : public MapStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps() override { return inner_->ListMaps(); }
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return inner_->ListMaps(after, max);
+  }
   Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
   Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mapping/base/mutex.h"
+#include "storage/history/seen_clock.h"
+
+namespace dhpmap::postgres {
+
+/// A row of table servers.
+struct ServerRow {
+  std::int64_t server = 0;
+  std::int64_t beat = 0;  ///< differs from beat to beat
+  std::string address;
+  std::string version;
+  bool is_draining = false;
+};
+
+/// Which servers live, by this process's own clock alone: a server is dead when its beat has not changed for a lease,
+/// during which own beats have succeeded. So a database that is silent kills nobody. Thread-safe; asks nobody.
+class Peers {
+ public:
+  /// `me`: this process. `time`: empty: the steady clock.
+  Peers(std::int64_t me, double lease_s, PassingTime time);
+
+  static constexpr std::int64_t kNoRow = -1;  ///< in place of a beat
+
+  enum class Verdict {
+    kAlive,
+    kUnclear,  ///< known, and not seen to beat yet; or own beats do not succeed
+    kDead,
+  };
+  struct Opinion {
+    Verdict verdict = Verdict::kUnclear;
+    std::int64_t beat = kNoRow;  ///< that it rests on
+  };
+
+  /// A beat that was sent at `sent_ns` of Now_ns has succeeded, and these are all rows as they were after it.
+  void OnBeaten(std::int64_t sent_ns, const std::vector<ServerRow>& rows) DHPMAP_EXCLUDES(mutex_);
+  /// Whether a beat sent then comes so late after the last one that another process may have taken maps of ours. Then
+  /// what is ours is looked through, after the beat and before OnBeaten.
+  [[nodiscard]] bool ComesLate(std::int64_t sent_ns) const DHPMAP_EXCLUDES(mutex_);
+
+  /// Whether no other process can have taken our maps: a beat succeeded that was sent less than half a lease ago. The
+  /// other half is for answers that are on their way, and for clocks of another speed.
+  [[nodiscard]] bool IsFresh() const DHPMAP_EXCLUDES(mutex_);
+  /// Of a server that owns a map; whoever has no row, too, is watched for a lease.
+  [[nodiscard]] Opinion OpinionOf(std::int64_t server) DHPMAP_EXCLUDES(mutex_);
+  /// As last read; nothing if it has no row.
+  [[nodiscard]] std::optional<ServerRow> Find(std::int64_t server) const DHPMAP_EXCLUDES(mutex_);
+  /// Have been dead for a hundred leases.
+  [[nodiscard]] std::vector<std::int64_t> LongDead() const DHPMAP_EXCLUDES(mutex_);
+  /// Living ones that take maps, without this one.
+  [[nodiscard]] std::vector<std::int64_t> Takers() const DHPMAP_EXCLUDES(mutex_);
+
+  [[nodiscard]] std::int64_t me() const { return me_; }
+  [[nodiscard]] std::int64_t lease_ns() const { return lease_ns_; }
+  [[nodiscard]] std::int64_t Now_ns() const { return time_(); }
+
+ private:
+  struct Peer {
+    ServerRow row;
+    std::int64_t changed_ns = 0;  ///< when its beat was first seen as it is
+    bool has_beaten = false;      ///< it was seen to change, since own beats succeed
+  };
+  void See(const ServerRow& row, std::int64_t now_ns, bool begins_anew) DHPMAP_REQUIRES(mutex_);
+  [[nodiscard]] bool IsFreshAt(std::int64_t now_ns) const DHPMAP_REQUIRES(mutex_);
+  [[nodiscard]] Verdict VerdictOf(const Peer& peer, std::int64_t now_ns) const DHPMAP_REQUIRES(mutex_);
+
+  const std::int64_t me_;
+  const std::int64_t lease_ns_;
+  const PassingTime time_;
+  mutable Mutex mutex_;
+  std::optional<std::int64_t> last_sent_ns_ DHPMAP_GUARDED_BY(mutex_);  // of the last beat that succeeded
+  std::map<std::int64_t, Peer> peers_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+}  // namespace dhpmap::postgres
