@@ -97,6 +97,7 @@ Status Serve(const ServerConfig& config, const Service& service) {
   const auto tls_watch = WatchTlsFiles(tls);
   GrpcOptions grpc_options = GrpcOptionsOf(config, inflight, gate, tls);
   grpc_options.sockets = service.sockets.grpc;
+  grpc_options.fleet = store->fleet();
   DHPMAP_ASSIGN_OR_RETURN(const auto grpc, GrpcServer::Start(grpc_options, *registry, ObserverOf(metrics)));
   GatewayOptions gateway_options = GatewayOptionsOf(config, inflight, metrics, tls);
   gateway_options.sockets = service.sockets.rest;

@@ -45,6 +45,26 @@ SqliteStoreOptions SqliteOptionsOf(const ServerConfig& config, StoreProgress on_
           .pages_tiles = config.store.memory_budget_mib > 0};
 }
 
+/// Null where there is none.
+Result<std::shared_ptr<const auth::FleetKey>> FleetKeyOf(const ServerConfig& config) {
+  if (config.fleet.key_file.empty()) return std::shared_ptr<const auth::FleetKey>();
+  return auth::FleetKey::Read(config.fleet.key_file);
+}
+
+Result<std::shared_ptr<auth::Gate>> GateWithKeys(const ServerConfig& config, const std::string& file) {
+  return auth::Gate::WithKeys(
+      {.key_file = file,
+       .audit_file = config.auth.audit,
+       .is_audit_required = config.auth.audit_required,
+       .owners_file = (DatabaseFileOf(config).empty() ? file : config.db) + ".owners",
+       .limits = {.maps = config.limits.principal_maps,
+                  .disk_bytes = static_cast<std::int64_t>(config.limits.principal_disk_mib) << 20,
+                  .inflight_fraction = config.limits.principal_inflight_percent / 100.0},
+       .on_fault = [](const Status& fault) {
+         LogError("keys or their log: it goes on with what it has: " + fault.ToString());
+       }});
+}
+
 }  // namespace
 
 LogOptions LogOptionsOf(const ServerConfig& config) {
@@ -55,14 +75,11 @@ LogOptions LogOptionsOf(const ServerConfig& config) {
 
 Result<std::unique_ptr<MapStore>> OpenStore(const ServerConfig& config, StoreProgress on_progress) {
   if (!IsPostgresUrl(config.db)) return OpenSqliteStore(config.db, SqliteOptionsOf(config, std::move(on_progress)));
-  if (config.store.memory_budget_mib > 0) {
-    return FailedPrecondition(
-        "store.memory_budget_mib needs a database file: a store on PostgreSQL keeps open maps in memory");
-  }
-  LogWarning("the store on PostgreSQL is experimental: no verify, export or import");
+  LogWarning("the store on PostgreSQL is experimental");
   // Its address is announced when the door is open.
   return OpenPostgresStore(config.db, {.changes = ChangeLimitsOf(config),
                                        .edits = EditLimitsOf(config),
+                                       .pages_tiles = config.store.memory_budget_mib > 0,
                                        .on_progress = std::move(on_progress),
                                        .fleet = {.version = DHPMAP_VERSION, .lease_s = config.fleet.lease_s}});
 }
@@ -74,6 +91,13 @@ Result<std::unique_ptr<RecordDir>> RecordDirOf(const ServerConfig& config) {
 
 Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config) {
   if (config.store.memory_budget_mib == 0) return std::shared_ptr<TileSpill>();
+  if (!config.store.spill_dir.empty()) return OpenTileSpill(config.store.spill_dir);
+  if (IsPostgresUrl(config.db)) {
+    return FailedPrecondition(
+        "store.memory_budget_mib with a store on PostgreSQL needs store.spill_dir: a folder on a disk, for changed "
+        "voxels "
+        "that leave memory");
+  }
   const std::string folder = std::filesystem::path(config.db).parent_path().string();
   return OpenTileSpill(folder.empty() ? "." : folder);
 }
@@ -115,11 +139,22 @@ OpenMapOptions OpenMapOptionsOf(const ServerConfig& config, Metrics& metrics, Re
       .make_recorder = std::move(make_recorder)};
 }
 
+namespace {
+
+void WarnOfRetiredSettings(const MapInfo& map) {
+  for (const std::string& setting : map.config.left_out) {
+    LogWarning("map '" + map.name + "' goes on without " + setting + ", which this version no longer has");
+  }
+}
+
+}  // namespace
+
 RegistryOptions RegistryOptionsOf(const ServerConfig& config) {
   return {.idle_close_s = config.maps.idle_close_s,
           .surface_bytes = static_cast<std::size_t>(config.limits.surface_mib) << 20,
           .max_watchers = static_cast<std::size_t>(config.watch.max_watchers),
-          .max_import_bytes = std::int64_t{config.limits.import_mib} << 20};
+          .max_import_bytes = std::int64_t{config.limits.import_mib} << 20,
+          .on_loaded = WarnOfRetiredSettings};
 }
 
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config) {
@@ -136,20 +171,17 @@ Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config) {
     LogWarning(
         "started to let strangers in where nothing keeps them out: insecure, insecure_no_tls or insecure_no_auth");
   }
+  DHPMAP_ASSIGN_OR_RETURN(auto fleet_key, FleetKeyOf(config));
   const std::string file = KeyFileOf(config);
   LogInfo(file.empty() ? "without keys: whoever reaches a door may do everything" : "with the keys of " + file);
-  if (file.empty()) return auth::Gate::Open();
-  return auth::Gate::WithKeys(
-      {.key_file = file,
-       .audit_file = config.auth.audit,
-       .is_audit_required = config.auth.audit_required,
-       .owners_file = (DatabaseFileOf(config).empty() ? file : config.db) + ".owners",
-       .limits = {.maps = config.limits.principal_maps,
-                  .disk_bytes = static_cast<std::int64_t>(config.limits.principal_disk_mib) << 20,
-                  .inflight_fraction = config.limits.principal_inflight_percent / 100.0},
-       .on_fault = [](const Status& fault) {
-         LogError("keys or their log: it goes on with what it has: " + fault.ToString());
-       }});
+  std::shared_ptr<auth::Gate> gate;
+  if (file.empty()) {
+    gate = auth::Gate::Open();
+  } else {
+    DHPMAP_ASSIGN_OR_RETURN(gate, GateWithKeys(config, file));
+  }
+  gate->TakeFleetKey(std::move(fleet_key));
+  return gate;
 }
 
 Result<std::shared_ptr<net::TlsContext>> TlsOf(const ServerConfig& config) {
@@ -161,22 +193,24 @@ Result<std::shared_ptr<net::TlsContext>> TlsOf(const ServerConfig& config) {
 
 GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight,
                           std::shared_ptr<auth::Gate> gate, std::shared_ptr<const net::TlsContext> tls) {
-  return {.address = config.grpc.address,
-          .tls = std::move(tls),
-          .max_message_bytes = static_cast<std::size_t>(config.grpc.max_message_mib) << 20,
-          .num_threads = config.grpc.num_threads,
-          .num_bulk_threads = config.grpc.bulk_threads,
-          .inflight = std::move(inflight),
-          .max_connections = config.grpc.max_connections,
-          .keepalive_s = config.grpc.keepalive_s,
-          .import_idle_s = config.limits.import_idle_s,
-          .max_query_points = config.limits.query_points,
-          .max_frames_in_flight = config.mapping.max_frames_in_flight,
-          .default_config = config.map_defaults,
-          .version = DHPMAP_VERSION,
-          .database = DatabaseFileOf(config),
-          .max_behind_s = config.store.max_behind_s,
-          .gate = std::move(gate)};
+  return {
+      .address = config.grpc.address,
+      .tls = std::move(tls),
+      .max_message_bytes = static_cast<std::size_t>(config.grpc.max_message_mib) << 20,
+      .num_threads = config.grpc.num_threads,
+      .num_bulk_threads = config.grpc.bulk_threads,
+      .inflight = std::move(inflight),
+      .max_connections = config.grpc.max_connections,
+      .keepalive_s = config.grpc.keepalive_s,
+      .import_idle_s = config.limits.import_idle_s,
+      .max_query_points = config.limits.query_points,
+      .max_frames_in_flight = config.mapping.max_frames_in_flight,
+      .default_config = config.map_defaults,
+      .version = DHPMAP_VERSION,
+      .database = DatabaseFileOf(config),
+      .max_behind_s = config.store.max_behind_s,
+      .gate = std::move(gate),
+      .peer_tls = {.is_on = config.tls.is_on(), .ca = config.fleet.ca, .cert = config.tls.cert, .key = config.tls.key}};
 }
 
 std::string FleetAddressOf(const ServerConfig& config, int grpc_port) {
@@ -188,6 +222,7 @@ GrpcObserver ObserverOf(Metrics& metrics) {
                                 double seconds) { metrics.RecordCall(method, code, seconds); },
           .on_query = [&metrics](std::size_t num_points) { metrics.RecordQuery(num_points); },
           .on_frame = [&metrics](StatusCode code) { metrics.RecordFrame(code); },
+          .on_relayed = [&metrics](std::string_view, StatusCode code) { metrics.RecordRelayed(code); },
           .on_refused = [&metrics](std::string_view door, std::string_view why) { metrics.RecordRefused(door, why); }};
 }
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "server/auth/fleet_key.h"
 #include "server/auth/keys/key_file.h"
 #include "server/net/address.h"
 #include "server/net/listening.h"
@@ -68,6 +69,11 @@ void CheckKeys(const ServerConfig& config, StartCheck& check) {
                                   ? fs::is_regular_file(audit, error) && ::access(audit.c_str(), W_OK) == 0
                                   : MayMakeFilesIn(audit.has_parent_path() ? audit.parent_path() : ".");
   if (!may_be_written) check.faults.push_back("auth.audit: " + audit.string() + " cannot be written");
+}
+
+void CheckFleetKey(const ServerConfig& config, StartCheck& check) {
+  if (config.fleet.key_file.empty()) return;
+  AddFault("fleet.key_file", auth::FleetKey::Read(config.fleet.key_file).status(), check);
 }
 
 void CheckUpgrade(const ServerConfig& config, const DatabaseLook& look, StartCheck& check) {
@@ -159,6 +165,7 @@ StartCheck CheckStart(const ServerConfig& config, const service::InheritedSocket
   StartCheck check;
   CheckTls(config, check);
   CheckKeys(config, check);
+  CheckFleetKey(config, check);
   const bool is_running = CheckDatabase(config, check);
   CheckRecords(config, check);
   if (!is_running) CheckDoors(config, sockets, check);

@@ -5,16 +5,26 @@
 #include <utility>
 
 #include "mapping/map/history_id.h"
+#include "storage/check/verify.h"
 #include "storage/commit/store_number.h"
+#include "storage/files/backup.h"
+#include "storage/files/map_import.h"
+#include "storage/files/transit_folder.h"
 #include "storage/postgres/catalog.h"
 #include "storage/postgres/fleet/fleet_member.h"
 #include "storage/postgres/fleet/peers.h"
 #include "storage/postgres/fleet/takeover.h"
 #include "storage/postgres/history_reader.h"
+#include "storage/postgres/later_state.h"
+#include "storage/postgres/map_arrival.h"
+#include "storage/postgres/map_export.h"
 #include "storage/postgres/map_ownership.h"
 #include "storage/postgres/map_reader.h"
+#include "storage/postgres/page_reader.h"
 #include "storage/postgres/pool.h"
 #include "storage/postgres/removal.h"
+#include "storage/postgres/repair.h"
+#include "storage/postgres/rows_to_verify.h"
 #include "storage/postgres/schema.h"
 #include "storage/postgres/writer.h"
 
@@ -22,10 +32,6 @@ namespace dhpmap {
 namespace {
 
 using postgres::Connection;
-
-Status NotThereYet(const char* what) {
-  return {StatusCode::kUnimplemented, std::string("a store on PostgreSQL cannot ") + what + " yet"};
-}
 
 postgres::ConnectionOptions ConnectionOptionsOf(const std::string& url, const PostgresStoreOptions& options,
                                                 std::int64_t server) {
@@ -39,12 +45,21 @@ class PostgresStore final : public MapStore {
  public:
   PostgresStore(const postgres::ConnectionOptions& connection, const PostgresStoreOptions& options, std::int64_t server)
       : limits_{options.changes, options.edits, options.dead_grace_s},
-        pool_(connection, options.max_connections),
+        connecting_(connection),
+        pool_(connecting_, options.max_connections),
         peers_(server, options.fleet.lease_s, options.fleet.time_ns),
         maps_(pool_, peers_, options.passing_time_ns),
-        writer_(pool_, maps_, limits_, connection.patience),
-        fleet_(pool_, peers_, maps_, connection),
+        writer_(pool_, maps_, limits_, connecting_.patience),
+        fleet_(pool_, peers_, maps_, connecting_),
+        transit_(options.transit_folder),
+        pages_(options.pages_tiles ? std::make_shared<postgres::PageReader>(connecting_, options.max_connections)
+                                   : nullptr),
         sweeper_(pool_) {}
+  ~PostgresStore() override {
+    if (pages_ != nullptr) pages_->Close();
+  }
+  PostgresStore(const PostgresStore&) = delete;
+  PostgresStore& operator=(const PostgresStore&) = delete;
 
   Status Start(const FleetOptions& fleet) { return fleet_.Start(fleet.address, fleet.version, fleet.beats_by_itself); }
   [[nodiscard]] Fleet* fleet() override { return &fleet_; }
@@ -65,10 +80,28 @@ class PostgresStore final : public MapStore {
                             maps_.Own(name, postgres::MapOwnership::For::kLoading));
     auto state = pool_.Read<std::shared_ptr<const MapSnapshot>>([&](Connection& c) {
       ThreadPool threads(NumCodecThreads());
-      return postgres::ReadMapState(c, name, map->key, map->number, threads);
+      return postgres::ReadMapState(c, name, map->key, map->number, threads, pages_);
     });
     if (state.status().code() == StatusCode::kNotFound) maps_.Drop(*map);
     return state;
+  }
+
+  Result<StateToRead> LoadToRead(const std::string& name) override {
+    return pool_.Read<StateToRead>([&](Connection& c) {
+      ThreadPool threads(NumCodecThreads());
+      return postgres::ReadState(c, name, threads);
+    });
+  }
+  /// What cannot be followed, for whatever reason, is read anew: that shows what is wrong, if it is.
+  Result<StateToRead> ReadSince(const StateToRead& before) override {
+    const auto later = pool_.Read<std::optional<StateToRead>>([&](Connection& c) {
+      ThreadPool threads(NumCodecThreads());
+      return postgres::ReadLaterState(c, before, threads);
+    });
+    const bool is_followed = later.ok() ? later->has_value() : later.status().code() != StatusCode::kDataLoss;
+    if (!is_followed) return LoadToRead(before.snapshot->info().name);
+    if (!later.ok()) return later.status();
+    return **later;
   }
 
   Status CreateMap(const MapSnapshot& snapshot) override { return writer_.Create(snapshot); }
@@ -102,25 +135,62 @@ class PostgresStore final : public MapStore {
     return pool_.Read<StateDelta>([&](Connection& c) { return postgres::ReadEditDelta(c, name, revision, number); });
   }
 
-  Result<VerifyReport> VerifyMap(const std::string&, bool, const std::stop_token&) override {
-    return NotThereYet("look through its maps");
+  /// On a connection of its own, as are exports and imports: those of the pool are for what is quick.
+  Result<VerifyReport> VerifyMap(const std::string& name, bool repair, const std::stop_token& stop) override {
+    DHPMAP_ASSIGN_OR_RETURN(Connection connection, Connection::OpenForLong(connecting_));
+    postgres::RowsToVerify rows(connection, name);
+    DHPMAP_ASSIGN_OR_RETURN(Verification found, VerifyOneState(connection, rows, stop));
+    if (!repair || found.report.num_faults == 0) return std::move(found.report);
+    return RepairDamaged(connection, name, stop);
   }
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token&) override {
     return FailedPrecondition("the store is a PostgreSQL database: its own tools back it up").WithReason("NOT_A_FILE");
   }
-  Result<std::unique_ptr<StoreBackup>> ExportMap(const std::string&, const std::stop_token&) override {
-    return NotThereYet("export maps");
+  Result<std::unique_ptr<StoreBackup>> ExportMap(const std::string& name, const std::stop_token& stop) override {
+    DHPMAP_ASSIGN_OR_RETURN(const std::string place, transit_.NewPlace());
+    DHPMAP_ASSIGN_OR_RETURN(Connection connection, Connection::OpenForLong(connecting_));
+    DHPMAP_RETURN_IF_ERROR(postgres::WriteMapFileOf(connection, name, place, stop));
+    return OpenOnce(place);
   }
-  Result<std::unique_ptr<MapImport>> ImportMap() override { return NotThereYet("import maps"); }
+  Result<std::unique_ptr<MapImport>> ImportMap() override {
+    DHPMAP_ASSIGN_OR_RETURN(std::string place, transit_.NewPlace());
+    return BeginMapImport(std::move(place), [this](MapFile file) -> std::unique_ptr<MapTaker> {
+      return std::make_unique<postgres::MapArrival>(std::move(file), pool_, connecting_, [this] { sweeper_.Notify(); });
+    });
+  }
 
  private:
+  static Result<Verification> VerifyOneState(Connection& connection, postgres::RowsToVerify& rows,
+                                             const std::stop_token& stop) {
+    DHPMAP_ASSIGN_OR_RETURN(const postgres::OneState one_state, postgres::OneState::Begin(connection));
+    return Verify(rows, VerifyScope::kAll, stop);
+  }
+
+  /// Once the map is ours: looked through anew, as its last owner may have written on. DATA_LOSS if its own row is
+  /// damaged.
+  Result<VerifyReport> RepairDamaged(Connection& connection, const std::string& name, const std::stop_token& stop) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<postgres::OwnedMap> map,
+                            maps_.Own(name, postgres::MapOwnership::For::kLoading));
+    const MutexLock lock(map->mutex);
+    postgres::RowsToVerify rows(connection, name);
+    DHPMAP_ASSIGN_OR_RETURN(Verification found, VerifyOneState(connection, rows, stop));
+    if (found.report.num_faults > 0) {
+      DHPMAP_RETURN_IF_ERROR(postgres::RepairMap(connection, *map, rows.map(), found));
+      sweeper_.Notify();
+    }
+    return std::move(found.report);
+  }
+
   const postgres::KeepingLimits limits_;
+  const postgres::ConnectionOptions connecting_;
   postgres::Pool pool_;
   postgres::Peers peers_;
   postgres::MapOwnership maps_;
   postgres::Writer writer_;
   postgres::FleetMember fleet_;
-  postgres::Sweeper sweeper_;  // last, as it uses the others
+  TransitFolder transit_;
+  const std::shared_ptr<postgres::PageReader> pages_;  // null: maps are read as a whole
+  postgres::Sweeper sweeper_;                          // last, as it uses the others
 };
 
 }  // namespace

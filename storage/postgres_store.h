@@ -27,8 +27,12 @@ struct PostgresStoreOptions {
   /// Blobs that nobody refers to any more stay so long, by the time that servers have the map open.
   double dead_grace_s = 600;
   int max_connections = 8;  ///< besides one for beats
+  /// Voxels of objects stay in the database until they are read, see TilePage.
+  bool pages_tiles = false;
   /// For an answer of the database; and, if it was lost, for learning what became of a commit.
   double answer_s = 30;
+  /// Where files of maps lie while they are exported or imported; empty: the folder for temporary files.
+  std::string transit_folder = {};
   /// Reports the progress of migrations while opening; may be empty.
   std::function<void(const std::string& message)> on_progress = {};
   /// Clock of the ages of kept data, in ns; empty: std::chrono::steady_clock.
@@ -43,8 +47,7 @@ struct PostgresStoreOptions {
 /// Any number of processes for each database; MapStore::fleet() tells who owns which map. Who loads or writes a map
 /// takes it, if no living process has it: else UNAVAILABLE, reason NOT_OWNER, with the address in the metadata as
 /// `owner`. A commit of a map that another process has taken is refused so, too. Closing the store gives all maps up.
-/// Both durabilities are full. Not there yet, answered UNIMPLEMENTED: VerifyMap, ExportMap, ImportMap. Backup:
-/// NOT_A_FILE.
+/// Both durabilities are full. Backup: NOT_A_FILE.
 Result<std::unique_ptr<MapStore>> OpenPostgresStore(const std::string& url, const PostgresStoreOptions& options = {});
 
 /// Whether a database is named by a URL of PostgreSQL, and not as a file.

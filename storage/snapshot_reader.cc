@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/base/guarded.h"
-#include "mapping/paging/tile_directory.h"
 #include "storage/paging/map_layers.h"
 #include "storage/paging/stored_submap.h"
 #include "storage/paging/tile_cells.h"
@@ -22,27 +20,7 @@ namespace {
 /// Whether the tiles can stay unread: their cells are known. `without_cells`: keys of submaps with unknown cells,
 /// sorted.
 bool CanBeLeftUnread(const SubmapRow& row, const std::vector<std::int64_t>& without_cells) {
-  const bool has_any = row.counts.num_tsdf_blocks + row.counts.num_label_blocks + row.counts.num_gone_blocks > 0;
-  return has_any && !std::binary_search(without_cells.begin(), without_cells.end(), row.key);
-}
-
-/// A submap with its tiles left on disk.
-Result<std::shared_ptr<const Submap>> Unread(const SubmapRow& row, std::uint16_t store, const Paging& paging,
-                                             const std::shared_ptr<SharedTiles>& shared, const std::string& map) {
-  constexpr std::uint64_t kOlderThanAnyWriter = 0;
-  auto stored = std::make_shared<StoredSubmap>(paging.blobs, store, shared, map, row);
-  auto submap =
-      std::make_shared<Submap>(row.info, kOlderThanAnyWriter, std::make_shared<const UnreadTiles>(std::move(stored)));
-  submap->set_bounding_sphere(row.sphere);
-  submap->kept_outline().Keep(row.outline);
-  if (!row.CoversTiles()) {  // otherwise a later change could not be detected
-    Status read = Guarded<Status>([&submap] {
-      (void)submap->blocks().tiles();
-      return Status::Ok();
-    });
-    if (!read.ok()) return read;
-  }
-  return std::shared_ptr<const Submap>(std::move(submap));
+  return HasTiles(row) && !std::binary_search(without_cells.begin(), without_cells.end(), row.key);
 }
 
 Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::Database& database, const MapRow& map,
@@ -67,7 +45,8 @@ Result<std::vector<std::shared_ptr<const Submap>>> ReadSubmapsWithTiles(sqlite::
   for (const SubmapRow& row : rows) {
     std::shared_ptr<const Submap>& submap = submaps.emplace_back();
     if (paging != nullptr && CanBeLeftUnread(row, without_cells)) {
-      DHPMAP_ASSIGN_OR_RETURN(submap, Unread(row, store, *paging, shared, map.info.name));
+      auto unread = std::make_shared<StoredSubmap>(paging->blobs, store, shared, map.info.name, row);
+      DHPMAP_ASSIGN_OR_RETURN(submap, UnreadSubmap(row, std::move(unread)));
     } else {
       maker.Begin(row);
       DHPMAP_RETURN_IF_ERROR(tiles.ForEach(row.key, [&maker](const TileRow& tile) { return maker.Add(tile); }));

@@ -10,13 +10,14 @@
 #include <utility>
 
 #include "mapping/base/thread_pool.h"
-#include "storage/check/verify.h"
+#include "storage/check/sqlite_check.h"
 #include "storage/commit/store_number.h"
 #include "storage/commit_rules.h"
 #include "storage/connection.h"
 #include "storage/fair_mutex.h"
 #include "storage/files/backup.h"
 #include "storage/files/file_lock.h"
+#include "storage/files/map_copy.h"
 #include "storage/files/map_file.h"
 #include "storage/files/map_import.h"
 #include "storage/files/upgrade_copy.h"
@@ -199,7 +200,9 @@ class SqliteStore final : public MapStore {
     const auto write = [this](Durability durability, const std::function<Status(Database&)>& body) {
       return Write(durability, [&](Writer& writer) { return body(writer.database); });
     };
-    return BeginMapImport(path_, {write, kept_});
+    return BeginMapImport(UnfinishedPath(path_), [this, write](MapFile file) -> std::unique_ptr<MapTaker> {
+      return std::make_unique<MapCopy>(std::move(file), ImportTarget{write, kept_});
+    });
   }
 
   /// For a store that was just opened, before anything else: from now on, deleted data return their space.

@@ -172,6 +172,15 @@ class MapImport {
   virtual Status Add(const std::string& name) = 0;
 };
 
+/// A committed state of a map that another process may write.
+struct StateToRead {
+  std::shared_ptr<const MapSnapshot> snapshot = nullptr;
+  // The store's own:
+  std::int64_t map_key = 0;
+  std::int64_t commit_id = 0;
+  std::uint16_t store = 0;  ///< of the storage keys of its tiles
+};
+
 /// Stores maps, whatever holds them: sqlite_store.h opens one in a file. Thread-safe: calls on different maps, and
 /// reads, run concurrently; commits are serialised inside. Every error is typed: NOT_FOUND, ALREADY_EXISTS,
 /// RESOURCE_EXHAUSTED (disk full), FAILED_PRECONDITION (read-only, too new, or in use by another process), DATA_LOSS
@@ -239,6 +248,17 @@ class MapStore {
 
   /// The whole map. Distances are within truncation / 4096 of the committed ones; counts, ids and labels are exact.
   virtual Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) = 0;
+
+  /// The same for who will not write the map: where several processes share the store, it does not take it.
+  virtual Result<StateToRead> LoadToRead(const std::string& name) {
+    StateToRead state;
+    DHPMAP_ASSIGN_OR_RETURN(state.snapshot, LoadMap(name));
+    return state;
+  }
+  /// The last committed state of the map of `before`: equal to what LoadToRead gives, and shares with `before` what has
+  /// not changed, so that it costs what the commits since have written. The same snapshot if there was none. Errors as
+  /// LoadMap.
+  virtual Result<StateToRead> ReadSince(const StateToRead& before) { return LoadToRead(before.snapshot->info().name); }
 
   virtual Status DeleteMap(const std::string& name) = 0;
 

@@ -18,3 +18,7 @@ target_link_libraries(dhpmap_tls_client PUBLIC dhpmap_net PRIVATE OpenSSL::SSL d
 dhpmap_tests(ROOM unit/server/net LIBS dhpmap_net dhpmap_http_client dhpmap_tls_client dhpmap_test_scenes OpenSSL::SSL)
 dhpmap_tests(ROOM unit/server/wire STUBS LIBS dhpmap_wire dhpmap_test_scenes)
 dhpmap_tests(ROOM unit/proto/types STUBS LIBS dhpmap_proto_types dhpmap_test_scenes)
+
+# How far another process is behind commits to PostgreSQL; not a test.
+dhpmap_program(NAME dhpmap_follow_bench SOURCES unit/server/app/follow_bench.cc LIBS dhpmap_app dhpmap_test_postgres_cluster dhpmap_test_scenes)
+set_target_properties(dhpmap_follow_bench PROPERTIES EXCLUDE_FROM_ALL ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)

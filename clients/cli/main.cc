@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
   dhpmap::AddVerifyCommand(app, session);
   dhpmap::AddWatchCommand(app, session);
   dhpmap::AddSessionsCommands(app, session);
+  dhpmap::AddFleetCommands(app, session);
   dhpmap::AddDoctorCommand(app, session);
   dhpmap::AddUiCommand(app, session);
   dhpmap::AddReplayCommand(app, session);

@@ -50,10 +50,10 @@ Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset
   return request;
 }
 
-client::Result<v1::Map> GetMap(const Session& session, const std::string& name, std::int64_t read_revision) {
+client::Result<v1::Map> GetMap(const Session& session, const std::string& name, const ReadFlags& read) {
   v1::GetMapRequest request;
   request.set_name(MapName(name));
-  request.set_read_revision(read_revision);
+  SetRead(read, request);
   auto response = Ask(session, &v1::MapService::Stub::GetMap, request);
   if (!response.ok()) return response.status();
   return std::move(*response->mutable_map());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/query_flags.h"
 #include "clients/datasets/dataset.h"
 #include "dhpmap/v1/map_service.pb.h"
 
@@ -24,8 +25,8 @@ void AddNewMapOptions(CLI::App& command, NewMap& map);
 /// The request for `map`, with the preset and classes of `dataset` unless that is null.
 Result<v1::CreateMapRequest> ToRequest(const NewMap& map, const Dataset* dataset);
 
-/// `read_revision`: a past revision; 0: the current state.
-client::Result<v1::Map> GetMap(const Session& session, const std::string& name, std::int64_t read_revision = 0);
+/// In the state that `read` says.
+client::Result<v1::Map> GetMap(const Session& session, const std::string& name, const ReadFlags& read = {});
 
 /// Creates the map unless it exists. An existing map must have the data set's classes, and takes no settings.
 ExitCode EnsureMap(const Session& session, const NewMap& map, const Dataset& dataset);

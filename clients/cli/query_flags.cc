@@ -9,15 +9,17 @@
 
 namespace dhpmap {
 
-void AddRevisionFlag(CLI::App& command, std::int64_t& read_revision) {
-  command.add_option("--read-revision", read_revision, "Read this recent revision");
+void AddReadFlags(CLI::App& command, ReadFlags& flags) {
+  command.add_option("--read-revision", flags.revision, "Read this recent revision");
+  command.add_flag("--eventual", flags.is_eventual,
+                   "Read the state that the server has, even if another one writes the map");
 }
 
 void AddAskerFlags(CLI::App& command, AskerFlags& flags) {
   command.add_option("--map-from-query", flags.frame, "X Y Z YAW_DEG of the frame of the query, in the map frame")
       ->expected(4);
   command.add_option("--min-revision", flags.min_revision, "Wait until the map is at this revision");
-  AddRevisionFlag(command, flags.read_revision);
+  AddReadFlags(command, flags.read);
 }
 
 void AddPaddingFlag(CLI::App& command, double& padding_m) {

@@ -16,11 +16,22 @@ namespace dhpmap {
 
 struct Session;
 
-/// The frame of a query, and the revision of the map.
+/// Which state of a map is read.
+struct ReadFlags {
+  std::int64_t revision = 0;  ///< 0: the present state
+  bool is_eventual = false;   ///< of the server that is asked
+};
+template <typename Request>
+void SetRead(const ReadFlags& flags, Request& request) {
+  request.set_read_revision(flags.revision);
+  if (flags.is_eventual) request.set_consistency(v1::Consistency::EVENTUAL);
+}
+
+/// In which frame a query is asked, and of a map how new.
 struct AskerFlags {
   std::vector<double> frame;  ///< X Y Z YAW_DEG; empty: the map frame
   std::int64_t min_revision = 0;
-  std::int64_t read_revision = 0;  ///< 0: the current state
+  ReadFlags read;
 };
 /// The world of a query, as far as the command line defines it.
 struct WorldFlags {
@@ -37,8 +48,8 @@ struct QueryFlags {
   double max_distance_m = 3;
 };
 
-/// Adds --read-revision, for every command that reads a map.
-void AddRevisionFlag(CLI::App& command, std::int64_t& read_revision);
+/// --read-revision and --eventual, which everything has that reads a map.
+void AddReadFlags(CLI::App& command, ReadFlags& flags);
 void AddAskerFlags(CLI::App& command, AskerFlags& flags);
 void AddWorldFlags(CLI::App& command, WorldFlags& flags);
 void AddPaddingFlag(CLI::App& command, double& padding_m);

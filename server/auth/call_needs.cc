@@ -9,6 +9,7 @@
 
 #include "dhpmap/v1/auth_service.pb.h"
 #include "dhpmap/v1/edit_service.pb.h"
+#include "dhpmap/v1/fleet_service.pb.h"
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
@@ -88,12 +89,13 @@ std::vector<std::pair<std::string, CallNeeds>> OfGrpc() {
           {"/grpc.health.v1.Health/Check", {.need = v1::Access::READ, .maps = v1::Access::NONE, .is_public = true}}};
 }
 
-/// References every service, so that the linker keeps it. A file that is missing here would not be found.
-std::array<const FileDescriptor*, 8> Files() {
+/// That the linker keeps every service, and that all of a package are found: a file that is not here would not be.
+std::array<const FileDescriptor*, 9> Files() {
   return {v1::GetServerStatusRequest::descriptor()->file(), v1::WhoAmIRequest::descriptor()->file(),
           v1::ApplyEditsRequest::descriptor()->file(),      v1::GetMapRequest::descriptor()->file(),
           v1::IntegrateFramesRequest::descriptor()->file(), v1::QueryPointsRequest::descriptor()->file(),
-          v1::GetSubmapRequest::descriptor()->file(),       v1::WatchMapRequest::descriptor()->file()};
+          v1::GetSubmapRequest::descriptor()->file(),       v1::WatchMapRequest::descriptor()->file(),
+          v1::GetFleetRequest::descriptor()->file()};
 }
 
 }  // namespace

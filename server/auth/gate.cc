@@ -82,6 +82,16 @@ Result<PrincipalPtr> Gate::AuthenticateFrom(std::string_view address,
   return principal;
 }
 
+Result<PrincipalPtr> Gate::AuthenticateFleet(std::string_view address, std::string_view fleet_key,
+                                             std::string_view principal) {
+  if (fleet_key_ == nullptr || !fleet_key_->Is(fleet_key)) {
+    if (!address.empty()) DHPMAP_RETURN_IF_ERROR(failed_logins_.Count(address));
+    return Status(StatusCode::kUnauthenticated, "the fleet key is not that of this server")
+        .WithReason("BAD_CREDENTIAL");
+  }
+  return has_keys_ ? PrincipalFromText(principal) : Result<PrincipalPtr>(local_);
+}
+
 Result<PrincipalPtr> Gate::AuthenticateKey(std::string_view key_text) const {
   if (!has_keys_) return local_;
   return Ring()->Find(key_text, options_.now_s());

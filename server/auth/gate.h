@@ -15,6 +15,7 @@
 #include "server/auth/call_needs.h"
 #include "server/auth/caller_budgets.h"
 #include "server/auth/failed_logins.h"
+#include "server/auth/fleet_key.h"
 #include "server/auth/keys/key_file.h"
 #include "server/auth/keys/key_ring.h"
 #include "server/auth/keys/utc_text.h"
@@ -66,7 +67,14 @@ class Gate {
   [[nodiscard]] Result<PrincipalPtr> AuthenticateFrom(std::string_view address,
                                                       const std::vector<std::string_view>& authorizations);
   [[nodiscard]] Result<PrincipalPtr> AuthenticateKey(std::string_view key_text) const;
-  /// Whether a principal that was admitted before still has a valid key.
+  /// Who asks through another server of the fleet, which shows `fleet_key` and names `principal`. UNAUTHENTICATED,
+  /// reason BAD_CREDENTIAL, counted by address as a wrong key is, unless the key is that of TakeFleetKey.
+  [[nodiscard]] Result<PrincipalPtr> AuthenticateFleet(std::string_view address, std::string_view fleet_key,
+                                                       std::string_view principal);
+  /// By which servers of the fleet know each other. To be called before a door opens; null: none are known.
+  void TakeFleetKey(std::shared_ptr<const FleetKey> key) { fleet_key_ = std::move(key); }
+  [[nodiscard]] const FleetKey* fleet_key() const { return fleet_key_.get(); }
+  /// Whether who was let in before is still.
   [[nodiscard]] Status CheckStill(const Principal& principal) const;
 
   /// Begins a browser's login session and returns its token. The session ends with the key.
@@ -112,6 +120,7 @@ class Gate {
   const bool has_keys_;
   const Result<CallTable> calls_;
   const PrincipalPtr local_;
+  std::shared_ptr<const FleetKey> fleet_key_;  ///< constant once a door is open
   CallRates rates_;
   FailedLogins failed_logins_;
   Tickets tickets_;

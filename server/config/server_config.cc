@@ -49,7 +49,20 @@ void CheckTls(const ServerConfig::Tls& tls, Status& bad) {
   }
 }
 
-/// Requires the form that browsers send, else an origin never matches: "*" is not one, nor is one with a default port.
+void CheckFleet(const ServerConfig& config, Status& bad) {
+  const bool is_file = !DatabaseFileOf(config).empty();
+  if (is_file && !config.fleet.address.empty()) {
+    bad.AddViolation("fleet.address", "needs a postgresql:// database: a file has one server");
+  }
+  if (is_file && !config.fleet.key_file.empty()) {
+    bad.AddViolation("fleet.key_file", "is for servers on a postgresql:// database");
+  }
+  if (!config.fleet.ca.empty() && (is_file || !config.tls.is_on())) {
+    bad.AddViolation("fleet.ca", "is for servers on a postgresql:// database, with TLS");
+  }
+}
+
+/// As browsers send them, or none would ever match: "*" is none, and so is a port that goes without saying.
 void CheckOrigins(const std::string& origins, Status& bad) {
   static const std::regex pattern(R"((http|https)://([a-z0-9._-]+|\[[0-9a-f:]+\])(:[1-9][0-9]{0,4})?)");
   for (const std::string& origin : SplitByComma(origins)) {
@@ -87,9 +100,7 @@ Status ServerConfig::Validate() const {
   CheckOrigins(http.allowed_origins, bad);
   if (auth.audit_required && auth.audit.empty()) bad.AddViolation("auth.audit_required", "needs auth.audit");
   CheckTls(tls, bad);
-  if (!fleet.address.empty() && !DatabaseFileOf(*this).empty()) {
-    bad.AddViolation("fleet.address", "needs a postgresql:// database: a file has one server");
-  }
+  CheckFleet(*this, bad);
   if (std::find(kLogLevels.begin(), kLogLevels.end(), log.level) == kLogLevels.end()) {
     bad.AddViolation("log.level", "'" + log.level + "' is not debug, info, warning, error or off");
   }

@@ -71,6 +71,7 @@ struct ServerConfig {
     double retry_s = 5.0;
     double busy_timeout_s = 5;
     int memory_budget_mib = 0;
+    std::string spill_dir;
     bool backup_before_upgrade = true;
   } store;
   struct Watch {
@@ -105,6 +106,8 @@ struct ServerConfig {
   struct Fleet {
     std::string address;
     double lease_s = 2;
+    std::string key_file;
+    std::string ca;
   } fleet;
   double shutdown_grace_s = 2.0;
 
@@ -185,6 +188,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "s to wait for another process that has the file locked");
   visit("store.memory_budget_mib", c.store.memory_budget_mib, 0, 1e8,
         "MiB of voxels in memory, of all maps together, read on demand; 0 = whole maps are read");
+  visit("store.spill_dir", c.store.spill_dir, 0, 0,
+        "folder for changed voxels that leave memory; empty = that of the file of maps");
   visit("store.backup_before_upgrade", c.store.backup_before_upgrade, 0, 0,
         "keep a copy, DB.before-vN, before a new version brings the database to schema N");
   visit("watch.max_watchers", c.watch.max_watchers, 1, 1e6, "watchers of all maps together; more are refused");
@@ -223,6 +228,10 @@ void VisitServerFields(Config& c, Visitor&& visit) {
         "host:port of this server's gRPC for the others on its PostgreSQL database; empty = grpc.address");
   visit("fleet.lease_s", c.fleet.lease_s, 0.2, 60,
         "s of silence after which the others take this server's maps over; the same for all of them");
+  visit("fleet.key_file", c.fleet.key_file, 0, 0,
+        "file with the secret by which servers on one PostgreSQL database know each other; needed with keys");
+  visit("fleet.ca", c.fleet.ca, 0, 0,
+        "PEM file of who signs the other servers' certificates; empty = whom the system trusts");
   visit("shutdown_grace_s", c.shutdown_grace_s, 0, 60, "s that running calls get at shutdown");
 }
 

@@ -6,6 +6,7 @@
 #include "dhpmap/v1/auth_service.pb.h"
 #include "dhpmap/v1/edit_service.pb.h"
 #include "dhpmap/v1/errors.pb.h"
+#include "dhpmap/v1/fleet_service.pb.h"
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
@@ -27,6 +28,7 @@ void LinkProtos() {
   google::protobuf::LinkMessageReflection<v1::WatchMapRequest>();
   google::protobuf::LinkMessageReflection<v1::WhoAmIRequest>();
   google::protobuf::LinkMessageReflection<v1::GetServerStatusRequest>();
+  google::protobuf::LinkMessageReflection<v1::GetFleetRequest>();
   google::protobuf::LinkMessageReflection<v1::Error>();
   google::protobuf::LinkMessageReflection<google::rpc::ErrorInfo>();
   google::protobuf::LinkMessageReflection<google::rpc::Status>();

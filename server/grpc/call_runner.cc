@@ -6,6 +6,7 @@
 #include "mapping/base/guarded.h"
 #include "mapping/paging/page_reader.h"
 #include "proto/types/resource_names.h"
+#include "server/grpc/answered_anywhere.h"
 #include "server/log/log.h"
 
 namespace dhpmap {
@@ -58,8 +59,11 @@ Status WhileThereIsRoom(const ServiceContext& context, std::shared_ptr<const Map
   return is_let_go ? StateHasNoRoom() : status;
 }
 
-Lane& QuickLane(const ServiceContext& context, std::string_view opens) {
-  return context.registry.MustLoad(MapOfResource(opens)) ? context.lanes.loads : context.lanes.quick;
+Lane& QuickLane(const ServiceContext& context, std::string_view opens, const google::protobuf::Message& request) {
+  const std::string map(MapOfResource(opens));
+  const bool is_eventual = !map.empty() && AnsweredAnywhere(request);
+  const bool loads = is_eventual ? context.registry.MustLoadForEventual(map) : context.registry.MustLoad(map);
+  return loads ? context.lanes.loads : context.lanes.quick;
 }
 
 Status TooBusy() {
@@ -141,7 +145,7 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
 
 grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMessages& call,
                                    std::function<void(Respond, std::stop_token)> handler) {
-  return UnaryReactor::Start(context, call, QuickLane(context, call.opens), 0, std::move(handler));
+  return UnaryReactor::Start(context, call, QuickLane(context, call.opens, *call.request), 0, std::move(handler));
 }
 
 grpc::ServerUnaryReactor* RunAsyncIn(Lane& lane, const ServiceContext& context, const CallMessages& call,

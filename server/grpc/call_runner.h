@@ -32,6 +32,7 @@
 namespace dhpmap {
 
 class MapQuota;
+class Relay;
 
 /// What all services share.
 struct ServiceContext {
@@ -43,6 +44,7 @@ struct ServiceContext {
   std::atomic<int>& num_checks;  ///< that are being answered in pieces
   MapQuota& quota;
   const std::atomic<bool>* is_serving = nullptr;  ///< GrpcServer::is_serving; null: it is not
+  Relay* relay = nullptr;                         ///< null: there is no fleet
 };
 
 /// Over the calling thread and those of the bulk lane that have nothing else to do. What they read from the disk counts
@@ -74,8 +76,9 @@ struct CallMessages {
   std::string_view opens = {};
 };
 
-/// The lane for what is quick once the map of the resource `opens` is there: quick, unless that is to be loaded first.
-Lane& QuickLane(const ServiceContext& context, std::string_view opens);
+/// The lane for what is quick once the map of the resource `opens` is there for `request`: quick, unless that is to be
+/// loaded first.
+Lane& QuickLane(const ServiceContext& context, std::string_view opens, const google::protobuf::Message& request);
 
 /// Calls work() and turns whatever it throws into a status (see StatusOfException): the one outer
 /// catch of every handler.

@@ -20,9 +20,9 @@ const google::protobuf::MethodDescriptor& MethodOf(const google::protobuf::Servi
 }  // namespace
 
 RequestIntake::RequestIntake(const ServiceContext& of, const google::protobuf::ServiceDescriptor& service,
-                             const google::protobuf::Descriptor& request, const MessageLayout& request_layout)
-    : context(of), layout(request_layout) {
-  const google::protobuf::MethodDescriptor& method = MethodOf(service, request);
+                             const google::protobuf::Descriptor& of_request, const MessageLayout& request_layout)
+    : context(of), layout(request_layout), request(&of_request) {
+  const google::protobuf::MethodDescriptor& method = MethodOf(service, of_request);
   path = auth::PathOf(method);
   needs = of.options.gate->NeedsOf(path);
   name = service.name() + "/" + method.name();

@@ -8,10 +8,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "server/grpc/call_runner.h"
 #include "server/grpc/caller_budget.h"
 #include "server/grpc/door_call.h"
+#include "server/grpc/relay/relay.h"
+#include "server/grpc/relay/routed_handler.h"
 #include "server/grpc/request_message.h"
 
 namespace dhpmap {
@@ -20,7 +23,7 @@ namespace dhpmap {
 struct RequestIntake {
   /// The method of `service` that takes messages of the type `request`.
   RequestIntake(const ServiceContext& of, const google::protobuf::ServiceDescriptor& service,
-                const google::protobuf::Descriptor& request, const MessageLayout& request_layout);
+                const google::protobuf::Descriptor& of_request, const MessageLayout& request_layout);
 
   /// `message`, within what a request of this method may have and what there is room for: else RESOURCE_EXHAUSTED,
   /// reasons BODY_TOO_LARGE and TOO_MANY_BYTES, told to the observer as any call that fails.
@@ -38,11 +41,12 @@ struct RequestIntake {
   const ServiceContext& context;
   const MessageLayout& layout;
   const auth::CallNeeds* needs = nullptr;
-  std::string path;                    ///< "/dhpmap.v1.MapService/GetMap"
-  std::string name;                    ///< "MapService/GetMap"
-  int index = 0;                       ///< in its service
-  std::size_t most_bytes = 0;          ///< as it comes
-  std::size_t most_message_bytes = 0;  ///< with the message
+  const google::protobuf::Descriptor* request;  ///< of its messages
+  std::string path;                             ///< "/dhpmap.v1.MapService/GetMap"
+  std::string name;                             ///< "MapService/GetMap"
+  int index = 0;                                ///< in its service
+  std::size_t most_bytes = 0;                   ///< as it comes
+  std::size_t most_message_bytes = 0;           ///< with the message
 };
 
 /// Base of our services in place of their `CallbackService`, which parses requests on gRPC's own threads before
@@ -71,7 +75,7 @@ class CountedService : public Service::CallbackService {
       const CallerBudget here(CallerOf(*call).budget().get());
       return (static_cast<Self*>(this)->*handler)(call, response);
     };
-    Mark<grpc::internal::CallbackClientStreamingHandler<grpc::ByteBuffer, Response>>(intake->index, open);
+    Mark<grpc::internal::CallbackClientStreamingHandler<grpc::ByteBuffer, Response>>(*intake, open, {});
   }
   template <typename Request, typename Self, typename Response>
   void TakeStream(grpc::ServerBidiReactor<grpc::ByteBuffer, Response>* (Self::*handler)(Context*)) {
@@ -82,7 +86,7 @@ class CountedService : public Service::CallbackService {
       const CallerBudget here(CallerOf(*call).budget().get());
       return (static_cast<Self*>(this)->*handler)(call);
     };
-    Mark<grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, Response>>(intake->index, open);
+    Mark<grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, Response>>(*intake, open, {});
   }
 
  private:
@@ -104,7 +108,17 @@ class CountedService : public Service::CallbackService {
       const CallerBudget here(CallerOf(*call).budget().get());
       return (static_cast<Self*>(this)->*handler)(call, &request->message, response);
     };
-    Mark<grpc::internal::CallbackUnaryHandler<RawRequest<Request>, Response>>(intake->index, begin);
+    using Kept = grpc::MessageHolder<RawRequest<Request>, Response>;
+    const RoutedHandler::Request kept = {
+        [](const RoutedHandler::Parameter& call) { return &static_cast<Kept*>(call.internal_data)->request()->bytes; },
+        [](const RoutedHandler::Parameter& call) {
+          auto* holder = static_cast<Kept*>(call.internal_data);
+          grpc::ByteBuffer bytes;
+          bytes.Swap(&holder->request()->bytes);
+          holder->Release();
+          return bytes;
+        }};
+    Mark<grpc::internal::CallbackUnaryHandler<RawRequest<Request>, Response>>(*intake, begin, kept);
   }
   template <typename Self, typename Request, typename Response>
   void TakeOne(grpc::ServerWriteReactor<Response>* (Self::*handler)(Context*, const Request*)) {
@@ -116,7 +130,17 @@ class CountedService : public Service::CallbackService {
       const CallerBudget here(CallerOf(*call).budget().get());
       return (static_cast<Self*>(this)->*handler)(call, &request->message);
     };
-    Mark<grpc::internal::CallbackServerStreamingHandler<RawRequest<Request>, Response>>(intake->index, begin);
+    using Kept = RawRequest<Request>;
+    const RoutedHandler::Request kept = {
+        [](const RoutedHandler::Parameter& call) { return &static_cast<Kept*>(call.request)->bytes; },
+        [](const RoutedHandler::Parameter& call) {
+          auto* request = static_cast<Kept*>(call.request);
+          grpc::ByteBuffer bytes;
+          bytes.Swap(&request->bytes);
+          request->~Kept();  // its memory is the call's
+          return bytes;
+        }};
+    Mark<grpc::internal::CallbackServerStreamingHandler<RawRequest<Request>, Response>>(*intake, begin, kept);
   }
 
   template <typename Request>
@@ -124,9 +148,17 @@ class CountedService : public Service::CallbackService {
     const auto* service = Request::descriptor()->file()->pool()->FindServiceByName(Service::service_full_name());
     return std::make_shared<const RequestIntake>(door_context_, *service, *Request::descriptor(), LayoutOf<Request>());
   }
+  /// `kept`: how the handler keeps the request, if there is one.
   template <typename Handler, typename Begin>
-  void Mark(int index, const Begin& begin) {
-    this->MarkMethodRawCallback(index, new Handler(begin));  // which takes it over
+  void Mark(const RequestIntake& intake, const Begin& begin, const RoutedHandler::Request& kept) {
+    std::unique_ptr<grpc::internal::MethodHandler> handler = std::make_unique<Handler>(begin);
+    if (Relay* relay = door_context_.relay) {
+      auto method = Relay::MethodOf(intake.needs, *intake.request, intake.path, intake.most_bytes);
+      if (method != nullptr) {
+        handler = std::make_unique<RoutedHandler>(std::move(handler), kept, *relay, std::move(method));
+      }
+    }
+    this->MarkMethodRawCallback(intake.index, handler.release());  // which takes it over
   }
 
   const ServiceContext& door_context_;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/auth/fleet_key.h"
 #include "server/auth/rights.h"
 
 namespace dhpmap {
@@ -28,19 +29,6 @@ class CallAllocator final : public grpc::ContextAllocator {
 };
 
 std::string_view ViewOf(grpc::string_ref text) { return {text.data(), text.size()}; }
-
-Result<auth::PrincipalPtr> WhoCalls(auth::Gate& gate, const grpc::CallbackServerContext& call) {
-  const auto& metadata = call.client_metadata();
-  if (const auto ticket = metadata.find(auth::kTicketKey); ticket != metadata.end()) {
-    auto principal = gate.tickets().Take(ViewOf(ticket->second));
-    if (principal != nullptr) return principal;
-    return Status(StatusCode::kUnauthenticated, "the ticket is none of this server's").WithReason("BAD_CREDENTIAL");
-  }
-  std::vector<std::string_view> keys;
-  const auto [begin, end] = metadata.equal_range("authorization");
-  for (auto value = begin; value != end; ++value) keys.push_back(ViewOf(value->second));
-  return gate.Authenticate(keys);
-}
 
 /// From whichever thread, and when the call may just have ended: gRPC keeps it as long as we hold it.
 auth::LiveStreams::End EndOf(grpc_call* call) {
@@ -65,12 +53,36 @@ bool Caller::Owns(std::string_view author) const { return OwnsAll() || auth::IsO
 
 std::unique_ptr<grpc::ContextAllocator> MakeCallAllocator() { return std::make_unique<CallAllocator>(); }
 
+Result<auth::PrincipalPtr> WhoCalls(auth::Gate& gate, const grpc::CallbackServerContext& call) {
+  const auto& metadata = call.client_metadata();
+  if (const auto ticket = metadata.find(auth::kTicketKey); ticket != metadata.end()) {
+    auto principal = gate.tickets().Take(ViewOf(ticket->second));
+    if (principal != nullptr) return principal;
+    return Status(StatusCode::kUnauthenticated, "the ticket is none of this server's").WithReason("BAD_CREDENTIAL");
+  }
+  if (const auto key = metadata.find(auth::kFleetKeyKey); key != metadata.end()) {
+    const auto principal = metadata.find(auth::kPrincipalKey);
+    return gate.AuthenticateFleet({}, ViewOf(key->second),
+                                  principal != metadata.end() ? ViewOf(principal->second) : std::string_view());
+  }
+  std::vector<std::string_view> keys;
+  const auto [begin, end] = metadata.equal_range("authorization");
+  for (auto value = begin; value != end; ++value) keys.push_back(ViewOf(value->second));
+  return gate.Authenticate(keys);
+}
+
 Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, const std::shared_ptr<ByteBudget>& inflight,
              grpc::CallbackServerContext& call) {
   if (!gate.has_keys()) return Status::Ok();
+  DHPMAP_ASSIGN_OR_RETURN(auth::PrincipalPtr principal, WhoCalls(gate, call));
+  return EnterAs(gate, std::move(principal), needs, inflight, call);
+}
+
+Status EnterAs(auth::Gate& gate, auth::PrincipalPtr principal, const auth::CallNeeds* needs,
+               const std::shared_ptr<ByteBudget>& inflight, grpc::CallbackServerContext& call) {
+  if (!gate.has_keys()) return Status::Ok();
   auto* door = dynamic_cast<DoorCall*>(&call);
   if (door == nullptr || needs == nullptr) return Internal("a call came in by no door");
-  DHPMAP_ASSIGN_OR_RETURN(auth::PrincipalPtr principal, WhoCalls(gate, call));
   DHPMAP_RETURN_IF_ERROR(auth::CheckRole(*principal, *needs));
   DHPMAP_RETURN_IF_ERROR(gate.Count(*principal));
   if (needs->is_stream) {

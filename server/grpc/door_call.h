@@ -53,6 +53,13 @@ std::unique_ptr<grpc::ContextAllocator> MakeCallAllocator();
 Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, const std::shared_ptr<ByteBudget>& inflight,
              grpc::CallbackServerContext& call);
 
+/// Who makes a call: by its ticket, which is good once, by what another server of the fleet says, or by its key. Errors
+/// as of Gate::Authenticate and AuthenticateFleet.
+Result<auth::PrincipalPtr> WhoCalls(auth::Gate& gate, const grpc::CallbackServerContext& call);
+/// Enter of a call whose caller is known.
+Status EnterAs(auth::Gate& gate, auth::PrincipalPtr principal, const auth::CallNeeds* needs,
+               const std::shared_ptr<ByteBudget>& inflight, grpc::CallbackServerContext& call);
+
 /// Of a call that has entered.
 const Caller& CallerOf(const grpc::CallbackServerContext& call);
 

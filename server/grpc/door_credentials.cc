@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mapping/base/guarded.h"
+#include "server/auth/fleet_key.h"
 #include "server/auth/rights.h"
 
 namespace dhpmap {
@@ -41,16 +42,26 @@ class KeyProcessor final : public grpc::AuthMetadataProcessor {
       return Status(StatusCode::kUnauthenticated, "tickets are for calls inside the server")
           .WithReason("BAD_CREDENTIAL");
     }
-    std::vector<std::string_view> keys;
-    const auto [begin, end] = head.equal_range("authorization");
-    for (auto value = begin; value != end; ++value) keys.push_back(ViewOf(value->second));
-    const auto principal = gate_->AuthenticateFrom(from_(), keys);
+    const auto principal = WhoCalls(head);
     if (!principal.ok()) return Refused(nullptr, principal.status(), path->second);
     if (needs == nullptr) return {StatusCode::kUnimplemented, "there is no such rpc"};
     if (path->second == "/grpc.health.v1.Health/Watch") {  // gRPC's own handler, which would outlive the key
       return {StatusCode::kUnimplemented, "ask for the health by Check"};
     }
     return Refused(principal->get(), auth::CheckRole(**principal, *needs), path->second);
+  }
+  [[nodiscard]] Result<auth::PrincipalPtr> WhoCalls(const InputMetadata& head) const {
+    const auto one = [&](const char* name) {
+      const auto found = head.find(name);
+      return found != head.end() ? ViewOf(found->second) : std::string_view();
+    };
+    if (head.contains(auth::kFleetKeyKey)) {
+      return gate_->AuthenticateFleet(from_(), one(auth::kFleetKeyKey), one(auth::kPrincipalKey));
+    }
+    std::vector<std::string_view> keys;
+    const auto [begin, end] = head.equal_range("authorization");
+    for (auto value = begin; value != end; ++value) keys.push_back(ViewOf(value->second));
+    return gate_->AuthenticateFrom(from_(), keys);
   }
   /// The status as it is, written down if it is no good one.
   [[nodiscard]] Status Refused(const auth::Principal* principal, const Status& status, grpc::string_ref path) const {

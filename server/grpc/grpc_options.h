@@ -13,11 +13,13 @@
 #include "mapping/map/map_config.h"
 #include "server/auth/gate.h"
 #include "server/base/byte_budget.h"
+#include "server/grpc/relay/peer_tls.h"
 
 namespace dhpmap {
 namespace net {
 class TlsContext;
 }
+class Fleet;
 
 struct GrpcOptions {
   std::string address = "127.0.0.1:50051";     ///< host:port, port 0 takes a free one; or unix:PATH
@@ -43,6 +45,9 @@ struct GrpcOptions {
   std::string database;                                   ///< its file
   double max_behind_s = 30;                               ///< as CommitOptions has it
   std::shared_ptr<auth::Gate> gate = auth::Gate::Open();  ///< who may call; never null
+  /// The servers on the same database, to which calls about maps of theirs are passed on; null: there are none.
+  Fleet* fleet = nullptr;
+  PeerTls peer_tls;  ///< how they are reached
 };
 
 /// What happens in the handlers, for metrics. Called from many threads; each may be empty.
@@ -50,6 +55,8 @@ struct GrpcObserver {
   std::function<void(std::string_view method, StatusCode code, double seconds)> on_call;  ///< when it has ended
   std::function<void(std::size_t num_points)> on_query;
   std::function<void(StatusCode code)> on_frame;
+  /// A call was passed on to another server of the fleet: "/dhpmap.v1.MapService/GetMap", and what came of it.
+  std::function<void(std::string_view path, StatusCode code)> on_relayed;
   /// A connection was refused or ended at a door: which ("grpc") and why ("too_many_resets").
   std::function<void(std::string_view door, std::string_view why)> on_refused;
 };

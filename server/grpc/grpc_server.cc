@@ -23,6 +23,7 @@
 #include "server/grpc/map_quota.h"
 #include "server/grpc/passing_time.h"
 #include "server/grpc/reflection_service.h"
+#include "server/grpc/relay/relay.h"
 #include "server/grpc/services.h"
 #include "server/grpc/stream_window.h"
 #include "server/log/log.h"
@@ -95,7 +96,7 @@ Lane MakeLane(LaneOptions options) {
 
 constexpr std::array kServiceNames = {"dhpmap.v1.MapService",  "dhpmap.v1.MappingService", "dhpmap.v1.SubmapService",
                                       "dhpmap.v1.EditService", "dhpmap.v1.QueryService",   "dhpmap.v1.WatchService",
-                                      "dhpmap.v1.AuthService", "dhpmap.v1.ServerService"};
+                                      "dhpmap.v1.AuthService", "dhpmap.v1.ServerService",  "dhpmap.v1.FleetService"};
 constexpr const char* kHealthService = "grpc.health.v1.Health";  // gRPC's own
 
 std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& context, IntegrateStreams& streams,
@@ -110,6 +111,7 @@ std::vector<std::unique_ptr<grpc::Service>> MakeServices(const ServiceContext& c
   services.push_back(MakeWatchService(context, watch_streams));
   services.push_back(MakeAuthService(context));
   services.push_back(MakeServerService(context));
+  services.push_back(MakeFleetService(context));
   std::vector<std::string> served(kServiceNames.begin(), kServiceNames.end());
   served.emplace_back(kHealthService);
   for (auto& service : MakeReflectionServices(context, reflection_streams, std::move(served))) {
@@ -127,6 +129,7 @@ struct GrpcServer::Impl {
         held(*options.inflight, [&registry](const MapSnapshot& state) { return registry.PresentOf(state); }),
         quota(*options.gate, registry),
         context{registry, lanes, options, observer, held, num_checks, quota, &is_serving},
+        relay(MakeRelay(context)),
         streams(options.inflight->limit_bytes()),
         services(MakeServices(context, streams, query_streams, watch_streams, reflection_streams)),
         lanes{.quick = MakeLane({.name = "quick",
@@ -151,6 +154,14 @@ struct GrpcServer::Impl {
     LetLanesMeet();
   }
 
+  /// Known to the services, which come after it.
+  static std::unique_ptr<Relay> MakeRelay(ServiceContext& shared) {
+    if (shared.options.fleet == nullptr) return nullptr;
+    auto made = std::make_unique<Relay>(shared);
+    shared.relay = made.get();
+    return made;
+  }
+
   /// Lanes post to one another, and the threads of one begin before the next is made. No call comes before all stand,
   /// but it is gRPC that sees to that; a job for each makes it so for whoever does not look into gRPC
   /// (ThreadSanitizer), too.
@@ -167,6 +178,7 @@ struct GrpcServer::Impl {
   std::atomic<int> num_checks = 0;
   MapQuota quota;
   ServiceContext context;
+  std::unique_ptr<Relay> relay;  // null: there is no fleet
   IntegrateStreams streams;
   OpenStreams query_streams;
   WatchStreams watch_streams;
@@ -198,6 +210,12 @@ Result<std::unique_ptr<net::Door>> OpenDoor(const GrpcOptions& options, const Gr
   return door;
 }
 
+std::shared_ptr<grpc::Channel> InsideChannel(grpc::Server& server) {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);
+  return server.InProcessChannel(arguments);
+}
+
 /// gRPC tells of its inner life on standard error; what matters of it comes back to us as a status.
 void LogFromGrpc(gpr_log_func_args* line) { LogDebug(std::string("grpc: ") + line->message); }
 
@@ -223,6 +241,7 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   impl->server = builder.BuildAndStart();
   (void)TakeTurns(Turns::kOrdinary);
   if (impl->server == nullptr) return Internal("gRPC does not start");
+  if (impl->relay != nullptr) impl->relay->SetHere(InsideChannel(*impl->server));
   impl->door->Start([entrance = impl->entrance.get()](const net::Passed& passed) { entrance->Let(passed); });
   std::unique_ptr<GrpcServer> server(new GrpcServer(std::move(impl)));
   server->SetServing(false);
@@ -250,11 +269,7 @@ bool GrpcServer::PostQuick(std::function<void()> work) {
   return impl_->lanes.quick.TryPost(std::make_shared<LaneTask>(std::move(work)));
 }
 
-std::shared_ptr<grpc::Channel> GrpcServer::InProcessChannel() {
-  grpc::ChannelArguments arguments;
-  arguments.SetMaxReceiveMessageSize(-1);
-  return impl_->server->InProcessChannel(arguments);
-}
+std::shared_ptr<grpc::Channel> GrpcServer::InProcessChannel() { return InsideChannel(*impl_->server); }
 
 void GrpcServer::Drain() {
   SetServing(false);
@@ -278,6 +293,7 @@ void GrpcServer::Shutdown(double grace_s) {
   });
   impl_->server->Shutdown(end);
   impl_->server->Wait();
+  if (impl_->relay != nullptr) impl_->relay->SetHere(nullptr);
   // It may be under way this moment, and nobody else waits for it: the registry must not go before.
   giving_up.Cancel();
   has_given_up->get_future().wait();

@@ -7,6 +7,7 @@
 #include "dhpmap/v1/map_service.grpc.pb.h"
 #include "proto/types/resource_names.h"
 #include "server/app/maps/map_stats.h"
+#include "server/grpc/answered_anywhere.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/damaged_maps.h"
 #include "server/grpc/edit_call.h"
@@ -202,6 +203,7 @@ class MapService final : public CountedService<v1::MapService> {
     return true;
   }
   Result<MapSummary> SummaryAt(const std::string& map, const v1::GetMapRequest& request) const {
+    if (AnsweredAnywhere(request)) return context_.registry.GetEventual(map);
     if (request.read_revision() == 0) return context_.registry.Get(map);
     DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, map, request));
     return SummaryOf(view->snapshot());

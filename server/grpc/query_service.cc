@@ -8,6 +8,7 @@
 #include "dhpmap/v1/query_service.grpc.pb.h"
 #include "proto/types/resource_names.h"
 #include "server/app/queries/distance_grid.h"
+#include "server/grpc/answered_anywhere.h"
 #include "server/grpc/check_answer.h"
 #include "server/grpc/counted_service.h"
 #include "server/grpc/passing_time.h"
@@ -160,7 +161,8 @@ class QueryService final : public CountedService<v1::QueryService> {
     return RunAsync(context_, call, [=, this, &request](const Respond& respond, const std::stop_token& stop) {
       const Result<std::string> map = ParseMapName(request.map(), "map");
       if (!map.ok()) return respond(map.status());
-      waits_.Await(*map, MinRevision(request), DeadlineOf(*context, RevisionWaits::kLongest), stop,
+      waits_.Await({*map, MinRevision(request), AnsweredAnywhere(request)},
+                   DeadlineOf(*context, RevisionWaits::kLongest), stop,
                    [=](const Status& there) { there.ok() ? answer(respond, stop) : respond(there); });
     });
   }

@@ -209,7 +209,7 @@ void QueryStream::HandleCheck(const Request& request, Response& response) {
     if (effort.is_quick) return Answer(begun);
     context_.lanes.answers.Post([this, begun] { Answer(begun); });
   });
-  if ((effort.is_quick ? QuickLane(context_, request.map()) : context_.lanes.checks).TryPost(task)) return;
+  if ((effort.is_quick ? QuickLane(context_, request.map(), request) : context_.lanes.checks).TryPost(task)) return;
   task->GiveUp();
   Answer(TooBusy());
 }
@@ -235,7 +235,7 @@ void QueryStream::AnswerInLane(bool is_quick, std::string_view opens, const std:
     if (is_quick) return Answer(status);
     context_.lanes.answers.Post([this, status] { Answer(status); });
   });
-  if ((is_quick ? QuickLane(context_, opens) : context_.lanes.bulk).TryPost(task)) return;
+  if ((is_quick ? QuickLane(context_, opens, request_) : context_.lanes.bulk).TryPost(task)) return;
   task->GiveUp();
   Answer(TooBusy());
 }

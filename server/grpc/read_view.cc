@@ -11,8 +11,10 @@ Status CheckReadRevision(std::int64_t read_revision, std::int64_t min_revision) 
 }
 
 Result<std::shared_ptr<const MapView>> ViewFor(const ServiceContext& context, const std::string& map,
-                                               std::int64_t read_revision, std::shared_ptr<const MapView> pinned) {
+                                               const WantedState& wanted, std::shared_ptr<const MapView> pinned) {
+  const std::int64_t read_revision = wanted.read_revision;
   if (pinned != nullptr && (read_revision == 0 || read_revision == pinned->snapshot().revision())) return pinned;
+  if (read_revision == 0 && wanted.is_eventual) return context.registry.EventualViewOf(map, wanted.at_least);
   if (read_revision == 0) return context.registry.ViewOf(map);
   return context.registry.ViewAt(map, read_revision, "read_revision");
 }

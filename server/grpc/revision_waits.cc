@@ -14,12 +14,11 @@ namespace dhpmap {
 /// Owns itself: its alarm, or the lane, holds it until it is done.
 class RevisionWaits::Wait : public std::enable_shared_from_this<Wait> {
  public:
-  Wait(const RevisionWaits& waits, std::string map, std::int64_t revision, TimePoint deadline, std::stop_token stop,
+  Wait(const RevisionWaits& waits, Wanted wanted, TimePoint deadline, std::stop_token stop,
        std::function<void(const Status&)> done)
       : context_(waits.context_),
         num_waiting_(waits.num_waiting_),
-        map_(std::move(map)),
-        revision_(revision),
+        wanted_(std::move(wanted)),
         deadline_(deadline),
         stop_(std::move(stop)),
         done_(std::move(done)) {}
@@ -30,11 +29,13 @@ class RevisionWaits::Wait : public std::enable_shared_from_this<Wait> {
     bool is_over = true;
     const Status status = RunGuarded([&]() -> Status {
       if (stop_.stop_requested()) return Cancelled("the client went away, or its deadline has passed");
-      DHPMAP_ASSIGN_OR_RETURN(const auto view, context_.registry.ViewOf(map_));
+      MapRegistry& maps = context_.registry;
+      DHPMAP_ASSIGN_OR_RETURN(const auto view,
+                              wanted_.is_eventual ? maps.EventualViewOf(wanted_.map) : maps.ViewOf(wanted_.map));
       const std::int64_t now = view->snapshot().revision();
-      is_over = now >= revision_;
+      is_over = now >= wanted_.revision;
       if (is_over) {
-        return CheckNotLost(revision_, *context_.registry.LostRevisionsOf(map_), view->snapshot().info(),
+        return CheckNotLost(wanted_.revision, *maps.LostRevisionsOf(wanted_.map), view->snapshot().info(),
                             "options.min_revision");
       }
       if (TimePoint::clock::now() < deadline_) return Status::Ok();
@@ -52,22 +53,22 @@ class RevisionWaits::Wait : public std::enable_shared_from_this<Wait> {
  private:
   const ServiceContext& context_;
   const std::shared_ptr<std::atomic<int>> num_waiting_;
-  const std::string map_;
-  const std::int64_t revision_;
+  const Wanted wanted_;
   const TimePoint deadline_;
   const std::stop_token stop_;
   const std::function<void(const Status&)> done_;
   std::unique_ptr<grpc::Alarm> alarm_;
 };
 
-void RevisionWaits::Await(const std::string& map, std::int64_t revision, TimePoint deadline, std::stop_token stop,
+void RevisionWaits::Await(Wanted wanted, TimePoint deadline, std::stop_token stop,
                           std::function<void(const Status&)> done) {
   if (num_waiting_->fetch_add(1) >= kMost) {
     --*num_waiting_;
     return done(TooBusy());
   }
   const TimePoint latest = TimePoint::clock::now() + kLongest;
-  std::make_shared<Wait>(*this, map, revision, std::min(deadline, latest), std::move(stop), std::move(done))->Look();
+  std::make_shared<Wait>(*this, std::move(wanted), std::min(deadline, latest), std::move(stop), std::move(done))
+      ->Look();
 }
 
 }  // namespace dhpmap

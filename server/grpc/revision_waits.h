@@ -22,13 +22,19 @@ class RevisionWaits {
 
   explicit RevisionWaits(const ServiceContext& context) : context_(context) {}
 
-  /// Calls done(OK) on the quick lane once maps/{map} is at `revision` or later; else done() with why it is not: what
+  /// What a call waits for.
+  struct Wanted {
+    std::string map;
+    std::int64_t revision = 0;
+    bool is_eventual = false;  ///< of the state that MapRegistry::EventualViewOf gives, in place of ViewOf
+  };
+
+  /// Calls done(OK) on the quick lane once the map is at the revision or later; else done() with why it is not: what
   /// MapRegistry::ViewOf says, OUT_OF_RANGE, reason HISTORY_LOST, for a revision that was lost with a crash,
   /// DEADLINE_EXCEEDED after `deadline` or kLongest, CANCELLED soon after `stop` is requested, RESOURCE_EXHAUSTED if
   /// kMost wait already. To be called on the quick lane; `done` may run before it returns. The context outlives the
   /// wait.
-  void Await(const std::string& map, std::int64_t revision, TimePoint deadline, std::stop_token stop,
-             std::function<void(const Status&)> done);
+  void Await(Wanted wanted, TimePoint deadline, std::stop_token stop, std::function<void(const Status&)> done);
 
  private:
   class Wait;

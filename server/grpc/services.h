@@ -16,6 +16,7 @@ namespace dhpmap {
 std::unique_ptr<grpc::Service> MakeAuthService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeMapService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeMappingService(const ServiceContext& context, IntegrateStreams& streams);
+std::unique_ptr<grpc::Service> MakeFleetService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeServerService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeSubmapService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeEditService(const ServiceContext& context);

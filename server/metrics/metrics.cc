@@ -139,6 +139,10 @@ struct Metrics::Impl {
                               .Help("Points answered by QueryPoints")
                               .Register(registry)
                               .Add({});
+  Family<Counter>& relayed = prometheus::BuildCounter()
+                                 .Name("dhpmap_relayed_calls_total")
+                                 .Help("Calls that were passed on to the owner of their map, another server")
+                                 .Register(registry);
   Family<Counter>& refused = prometheus::BuildCounter()
                                  .Name("dhpmap_guard_refused_total")
                                  .Help("Connections that a door has refused or ended for what they did")
@@ -163,6 +167,8 @@ void Metrics::RecordCall(std::string_view method, StatusCode code, double second
 void Metrics::RecordQuery(std::size_t num_points) { impl_->query_points.Increment(static_cast<double>(num_points)); }
 
 void Metrics::RecordFrame(StatusCode code) { impl_->frames.Add({{"code", Name(code)}}).Increment(); }
+
+void Metrics::RecordRelayed(StatusCode code) { impl_->relayed.Add({{"code", Name(code)}}).Increment(); }
 
 void Metrics::RecordRefused(std::string_view door, std::string_view why) {
   impl_->refused.Add({{"door", std::string(door)}, {"why", std::string(why)}}).Increment();

@@ -55,6 +55,7 @@ class Metrics {
   void RecordFrame(StatusCode code);                                          ///< dhpmap_ingest_frames_total
   void RecordCommit(StatusCode code, double seconds);                         ///< dhpmap_commit_seconds
   void RecordRefused(std::string_view door, std::string_view why);            ///< dhpmap_guard_refused_total
+  void RecordRelayed(StatusCode code);                                        ///< dhpmap_relayed_calls_total
   void RecordRefinement(double management_s, double crf_s);                   ///< dhpmap_refinement_seconds
 
   /// All metrics: dhpmap_map_{submaps,blocks,revision,memory_bytes,feeds} of the given maps, dhpmap_insecure,

@@ -47,6 +47,12 @@ Status BadPageToken() {
   return bad;
 }
 
+std::int64_t RevisionOfPageToken(std::string_view token) {
+  std::uint64_t history_id = 0;
+  std::int64_t revision = 0;
+  return TakeHex(token, history_id) && TakeHex(token, revision) ? revision : 0;
+}
+
 Result<Pager> Pager::Begin(int page_size, const std::string& token, const google::protobuf::Message& bound,
                            const PageMark& now, const LostRevisions& lost, PageSizes sizes) {
   if (page_size < 0) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "mapping/base/ids.h"
 #include "mapping/base/result.h"
@@ -74,7 +75,10 @@ class Pager {
 /// INVALID_ARGUMENT for a token of another list.
 Status BadPageToken();
 
-/// The submap after which a page starts; nothing for the first page. INVALID_ARGUMENT if the token names no submap.
+/// The revision of the map that a page with this token was given out at; 0 without one, or for what is no token.
+std::int64_t RevisionOfPageToken(std::string_view token);
+
+/// The submap that a page of submaps comes after; nothing for the first. INVALID_ARGUMENT if the token names none.
 Result<std::optional<SubmapId>> SubmapIdFromPage(const Pager& pager);
 /// The same for pages whose keys are revisions.
 Result<std::optional<std::int64_t>> RevisionFromPage(const Pager& pager);

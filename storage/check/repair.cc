@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "storage/check/verify.h"
+#include "storage/check/sqlite_check.h"
+#include "storage/check/sqlite_history.h"
 #include "storage/codec/envelope.h"
 #include "storage/history/change_history.h"
 #include "storage/rows/map_rows.h"

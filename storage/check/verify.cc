@@ -5,22 +5,15 @@
 
 #include "storage/codec/free_codec.h"
 #include "storage/paging/shared_voxels.h"
-#include "storage/rows/map_rows.h"
-#include "storage/rows/submap_rows.h"
-#include "storage/rows/tile_rows.h"
 #include "storage/tiles/object_layers.h"
 #include "storage/tiles/tile_name.h"
 
 namespace dhpmap {
 namespace {
 
-using sqlite::Database;
-using sqlite::Statement;
 using Kind = MapFault::Kind;
 
-constexpr char kVerifyTask[] = "verify the map";
-
-/// Tiles between checks of a stop request.
+/// How often a request to stop is looked for.
 constexpr std::int64_t kTilesALook = 64;
 
 std::string SubmapName(SubmapId id) { return "submap " + std::to_string(id.value); }
@@ -31,14 +24,14 @@ Status NewerLayer(const std::string& place) {
 
 class Verifier {
  public:
-  Verifier(Database& database, const std::string& name, VerifyScope scope, const std::stop_token& stop)
-      : database_(database), name_(name), scope_(scope), stop_(stop) {}
+  Verifier(VerifiedRows& rows, VerifyScope scope, const std::stop_token& stop)
+      : rows_(rows), scope_(scope), stop_(stop) {}
 
   Result<Verification> Run() {
     DHPMAP_ASSIGN_OR_RETURN(const MapRow map, ReadMapRow());
     if (found_.is_map_row_bad) return std::move(found_);
     std::vector<SubmapRow> damaged;
-    DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> submaps, ReadSubmaps(database_, map.key, &damaged));
+    DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> submaps, rows_.ReadSubmapRows(damaged));
     for (const SubmapRow& row : damaged) {
       Fault(Kind::kRow, SubmapName(row.info.id), "its row has a wrong checksum");
       found_.bad_submaps.push_back(row.key);
@@ -57,7 +50,7 @@ class Verifier {
       const auto fault = [this](Kind kind, std::string place, std::string what) {
         Fault(kind, std::move(place), std::move(what));
       };
-      DHPMAP_ASSIGN_OR_RETURN(found_.history, VerifyHistory(database_, map, check_stop, fault));
+      DHPMAP_ASSIGN_OR_RETURN(found_.history, VerifyHistory(rows_.History(), map, check_stop, fault));
     }
     DHPMAP_RETURN_IF_ERROR(VerifyReferences());
     found_.report.num_shared_voxels = shared_.num_shared();
@@ -79,7 +72,7 @@ class Verifier {
   }
 
   Result<MapRow> ReadMapRow() {
-    Result<MapRow> row = ReadMap(database_, name_);
+    Result<MapRow> row = rows_.ReadMapRow();
     if (row.status().code() != StatusCode::kDataLoss) {
       if (row.ok()) found_.report.revision = row->info.revision;
       return row;
@@ -91,12 +84,11 @@ class Verifier {
 
   Status VerifySubmap(const SubmapRow& row) {
     const std::int64_t num_faults_before = found_.report.num_faults;
-    DHPMAP_ASSIGN_OR_RETURN(TileRowReader rows, TileRowReader::Prepare(database_));
     TileTotals totals;
     SubmapCounts counts;
     BlockTile tile;
     TileIndex index;
-    DHPMAP_RETURN_IF_ERROR(rows.ForEach(row.key, [&](const TileRowReader::Row& stored) -> Status {
+    DHPMAP_RETURN_IF_ERROR(rows_.ForEachTile(row.key, [&](const TileRow& stored) -> Status {
       if (stored.index != index) FinishTile(row, std::exchange(tile, BlockTile()));
       index = stored.index;
       totals.Add(stored.index, stored.layer, {.key = stored.blob_key});
@@ -112,12 +104,13 @@ class Verifier {
     if (row.CoversTiles() && totals.sum != row.tiles_sum) {
       Fault(Kind::kCount, SubmapName(row.info.id), "has other tiles than were stored");
     }
-    DHPMAP_RETURN_IF_ERROR(VerifyBox(row));
+    DHPMAP_ASSIGN_OR_RETURN(const std::string problem, rows_.ProblemOfBounds(row));
+    if (!problem.empty()) Fault(Kind::kBounds, SubmapName(row.info.id), problem);
     if (found_.report.num_faults != num_faults_before) found_.wrong_submaps.push_back(row.key);
     return Status::Ok();
   }
 
-  Status VerifyTile(const SubmapRow& row, const TileRowReader::Row& stored, BlockTile& tile, SubmapCounts& counts) {
+  Status VerifyTile(const SubmapRow& row, const TileRow& stored, BlockTile& tile, SubmapCounts& counts) {
     const std::string place = TileName(row.info.id.value, stored.layer, stored.index);
     const ObjectLayer* layer = FindObjectLayer(stored.layer);
     if (layer == nullptr) return NewerLayer(place);
@@ -178,32 +171,10 @@ class Verifier {
     if (is_settled) shared_.Add(row.info.id, tile);
   }
 
-  Status VerifyBox(const SubmapRow& row) {
-    DHPMAP_ASSIGN_OR_RETURN(Statement select, database_.Prepare("SELECT min_x_m, max_x_m, min_y_m, max_y_m, min_z_m, "
-                                                                "max_z_m FROM submap_boxes WHERE submap_key = ?",
-                                                                kVerifyTask));
-    DHPMAP_ASSIGN_OR_RETURN(const bool has_box, select.Bind(row.key).Step());
-    if (has_box == row.sphere.IsEmpty()) {
-      Fault(Kind::kBounds, SubmapName(row.info.id), has_box ? "has a box, but no sphere" : "has no box");
-    }
-    if (!has_box || row.sphere.IsEmpty()) return Status::Ok();
-    const Eigen::Vector3d center_m = row.info.T_map_submap * row.sphere.center_m;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (select.Real(2 * axis) <= center_m[axis] - row.sphere.radius_m &&
-          select.Real(2 * axis + 1) >= center_m[axis] + row.sphere.radius_m) {
-        continue;
-      }
-      Fault(Kind::kBounds, SubmapName(row.info.id), "its box does not contain its sphere");
-      break;
-    }
-    return Status::Ok();
-  }
-
   Status VerifyOwnTiles(const MapRow& map) {
-    DHPMAP_ASSIGN_OR_RETURN(TileRowReader rows, TileRowReader::Prepare(database_));
     TileTotals totals;
     const std::int64_t num_faults_before = found_.report.num_faults;
-    const Status read = rows.ForEach(OwnerOfMap(map.key), [&](const TileRowReader::Row& row) -> Status {
+    const Status read = rows_.ForEachTile(rows_.OwnerOfMapTiles(), [&](const TileRow& row) -> Status {
       DHPMAP_RETURN_IF_ERROR(CheckStop());
       const bool is_free = row.layer == LayerNumber(BlobKind::kFreeV1);
       const std::string place = NameOfTile(is_free ? "free-space" : "vacated", row.index);
@@ -219,7 +190,7 @@ class Verifier {
       if (status.code() == StatusCode::kFailedPrecondition) return NewerLayer(place);
       if (status.ok()) return status;
       Fault(Kind::kBlob, place, status.message());
-      found_.bad_tiles.push_back({OwnerOfMap(map.key), row.index, row.layer});
+      found_.bad_tiles.push_back({rows_.OwnerOfMapTiles(), row.index, row.layer});
       return Status::Ok();
     });
     DHPMAP_RETURN_IF_ERROR(read);
@@ -230,64 +201,17 @@ class Verifier {
     return Status::Ok();
   }
 
-  /// For all maps: finds rows without an owner, and wrong reference counts of blobs. Blobs recorded as dead
-  /// legitimately have no owner.
   Status VerifyReferences() {
-    struct Question {
-      const char* sql;  ///< a key per fault; the text before and after it
-      const char *before, *after;
-    };
-    constexpr Question kQuestions[] = {
-        {"SELECT blob_key FROM tile_blobs EXCEPT SELECT blob_key FROM blob_references EXCEPT SELECT blob_key FROM "
-         "dead_blobs",
-         "blob ", " belongs to nothing"},
-        {"SELECT blob_key FROM (SELECT blob_key, count(*) - 1 FROM blob_references GROUP BY blob_key HAVING count(*) > "
-         "1 EXCEPT SELECT blob_key, num_more FROM shared_blobs) UNION SELECT blob_key FROM (SELECT blob_key, num_more "
-         "FROM shared_blobs EXCEPT SELECT blob_key, count(*) - 1 FROM blob_references GROUP BY blob_key)",
-         "blob ", " has a wrong count of what refers to it"},
-        {"SELECT blob_key FROM dead_blobs WHERE blob_key IN (SELECT blob_key FROM blob_references)", "blob ",
-         " is noted as not needed, but is"},
-        {"SELECT owner_key FROM tiles GROUP BY owner_key HAVING NOT EXISTS (SELECT 1 FROM submaps WHERE submap_key = "
-         "owner_key) AND NOT EXISTS (SELECT 1 FROM maps WHERE map_key = -owner_key)",
-         "the tiles of owner ", " belong to no object and no map"},
-        {"SELECT submap_key FROM submap_boxes WHERE submap_key NOT IN (SELECT submap_key FROM submaps)", "the box of ",
-         " belongs to no submap"},
-        {"SELECT edit_key FROM edit_tiles GROUP BY edit_key HAVING NOT EXISTS (SELECT 1 FROM edit_histories h WHERE "
-         "h.edit_key = edit_tiles.edit_key)",
-         "the tiles that undo edit row ", " belong to no edit"},
-    };
     const std::int64_t num_faults_before = found_.report.num_faults;
-    for (const Question& question : kQuestions) {
-      DHPMAP_ASSIGN_OR_RETURN(Statement select, database_.Prepare(question.sql, kVerifyTask));
-      for (;;) {
-        DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
-        if (!has_row) break;
-        DHPMAP_RETURN_IF_ERROR(CheckStop());
-        Fault(Kind::kReference, "database", question.before + std::to_string(select.Int(0)) + question.after);
-      }
-    }
-    DHPMAP_RETURN_IF_ERROR(VerifyParents());
+    DHPMAP_RETURN_IF_ERROR(rows_.ForEachStray([this](std::string what) -> Status {
+      Fault(Kind::kReference, "database", std::move(what));
+      return CheckStop();
+    }));
     found_.are_references_wrong = found_.report.num_faults != num_faults_before;
     return Status::Ok();
   }
 
-  /// Finds rows whose map or edit is missing.
-  Status VerifyParents() {
-    DHPMAP_ASSIGN_OR_RETURN(
-        Statement select,
-        database_.Prepare("SELECT \"table\", \"parent\", count(*) FROM pragma_foreign_key_check GROUP BY 1, 2 ORDER BY "
-                          "1, 2",
-                          kVerifyTask));
-    for (;;) {
-      DHPMAP_ASSIGN_OR_RETURN(const bool has_row, select.Step());
-      if (!has_row) return Status::Ok();
-      Fault(Kind::kReference, "database",
-            std::to_string(select.Int(2)) + " rows of " + select.Text(0) + " belong to none of " + select.Text(1));
-    }
-  }
-
-  Database& database_;
-  const std::string& name_;
+  VerifiedRows& rows_;
   const VerifyScope scope_;
   const std::stop_token& stop_;
   Verification found_;
@@ -297,9 +221,8 @@ class Verifier {
 
 }  // namespace
 
-Result<Verification> VerifyRows(Database& database, const std::string& name, VerifyScope scope,
-                                const std::stop_token& stop) {
-  return Verifier(database, name, scope, stop).Run();
+Result<Verification> Verify(VerifiedRows& rows, VerifyScope scope, const std::stop_token& stop) {
+  return Verifier(rows, scope, stop).Run();
 }
 
 }  // namespace dhpmap

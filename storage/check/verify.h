@@ -3,11 +3,10 @@
 
 #include <cstdint>
 #include <stop_token>
-#include <string>
 #include <vector>
 
+#include "storage/check/verified_rows.h"
 #include "storage/check/verify_history.h"
-#include "storage/sqlite/database.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -19,7 +18,7 @@ struct BadTile {
   std::int64_t layer = 0;
 };
 
-/// Result of VerifyRows, and the data to drop so that the rest can be read.
+/// Result of Verify, and the data to drop so that the rest can be read.
 struct Verification {
   VerifyReport report;
   bool is_map_row_bad = false;              ///< no data can be trusted
@@ -43,15 +42,8 @@ enum class VerifyScope {
   kState,  ///< without changes, edits and undo data
 };
 
-/// Verifies a map within the caller's transaction, tile by tile: little memory, and as long as loading it and its undo
-/// data. NOT_FOUND, CANCELLED; FAILED_PRECONDITION, reason NEWER_LAYER, NEWER_CONFIG or RETIRED_CONFIG, for a map of
-/// another version.
-Result<Verification> VerifyRows(sqlite::Database& database, const std::string& name, VerifyScope scope,
-                                const std::stop_token& stop);
-
-/// Within the caller's transaction: drops unreadable data of a map that was not written since, and updates rows to the
-/// rest, as a new revision; watchers list it again. Readable edits stay in the log, and their undo data unless the
-/// state is wrong. Data that belong to no map are deleted. DATA_LOSS if the map's own row is damaged.
-Status RepairRows(sqlite::Database& database, const std::string& name, Verification& found);
+/// Verifies a map tile by tile: little memory, and as long as loading it and its undo data. NOT_FOUND, CANCELLED;
+/// FAILED_PRECONDITION, reason NEWER_LAYER, NEWER_CONFIG or RETIRED_CONFIG, for a map of another version.
+Result<Verification> Verify(VerifiedRows& rows, VerifyScope scope, const std::stop_token& stop);
 
 }  // namespace dhpmap

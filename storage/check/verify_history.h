@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "storage/rows/map_rows.h"
-#include "storage/sqlite/database.h"
+#include "storage/check/verified_history.h"
+#include "storage/rows/map_row.h"
 #include "storage/store.h"
 
 namespace dhpmap {
@@ -23,13 +23,9 @@ struct BadHistory {
   std::vector<std::int64_t> undos;  ///< keys of edits that cannot be undone
 };
 
-/// Verifies all of them within the caller's transaction, row by row. An error of `check_stop`, called for each row,
+/// Verifies all of them, row by row. An error of `check_stop`, called for each row,
 /// ends it. FAILED_PRECONDITION for data of a later version.
-Result<BadHistory> VerifyHistory(sqlite::Database& database, const MapRow& map,
-                                 const std::function<Status()>& check_stop, const FaultSink& fault);
-
-/// Within the caller's transaction: drops bad parts of the log and recounts the rest. If the state was changed other
-/// than by edits (`is_state_changed`), all undo data are dropped; log and answers to repeated requests stay.
-Status RepairHistory(sqlite::Database& database, std::int64_t map_key, const BadHistory& bad, bool is_state_changed);
+Result<BadHistory> VerifyHistory(VerifiedHistory& rows, const MapRow& map, const std::function<Status()>& check_stop,
+                                 const FaultSink& fault);
 
 }  // namespace dhpmap

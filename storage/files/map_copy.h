@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "storage/files/map_file.h"
+#include "storage/files/map_file_rows.h"
+#include "storage/files/map_taker.h"
 #include "storage/rows/kept_blobs.h"
 #include "storage/store.h"
 
@@ -21,36 +22,30 @@ struct ImportTarget {
   KeptBlobs& kept;  ///< outlives the import
 };
 
-/// Sizes of a copied blob, so that rows can be written without reading the file again.
-struct BroughtSize {
-  std::uint32_t num_blocks = 0, bytes = 0;
-};
-
 /// Copies the map of a file into a database: first its blobs, in steps between commits, then its rows in one
 /// transaction. An unfinished copy leaves only blobs that will be collected. Thread-compatible.
-class MapCopy {
+class MapCopy final : public MapTaker {
  public:
   MapCopy(MapFile file, ImportTarget target) : file_(std::move(file)), target_(std::move(target)) {}
-  ~MapCopy();
+  ~MapCopy() override;
   MapCopy(const MapCopy&) = delete;
   MapCopy& operator=(const MapCopy&) = delete;
 
   /// Call once. Limited by the disk; needs memory for a step, and 20 bytes a blob. CANCELLED.
-  Status BringBlobs(const std::stop_token& stop);
+  Status Bring(const std::stop_token& stop) override;
   /// Call once, afterwards; adds the whole map under `name`, with a new history. ALREADY_EXISTS.
-  Status AddRows(const std::string& name);
+  Status Add(const std::string& name) override;
 
  private:
-  Status ListBlobs(const std::stop_token& stop);
-  Status BringStep(std::size_t& next);
+  Status BringStep();
   Status WriteRows(sqlite::Database& database, const std::string& name);
   [[nodiscard]] std::int64_t NewKeyOf(std::size_t rank) const { return keys_->first + static_cast<std::int64_t>(rank); }
 
   MapFile file_;
   const ImportTarget target_;
-  std::vector<std::int64_t> blobs_;  ///< keys, in the file, of the blobs that the map refers to; ascending
-  std::vector<BroughtSize> sizes_;   ///< their sizes, once copied
-  std::optional<BlobRange> keys_;    ///< their keys in the database, in the same order; protected from collection
+  BlobKeys blobs_;                  ///< in the file
+  std::vector<BroughtSize> sizes_;  ///< their sizes, once copied
+  std::optional<BlobRange> keys_;   ///< their keys in the database, in the same order; protected from collection
 };
 
 }  // namespace dhpmap

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "storage/check/verify.h"
+#include "storage/check/sqlite_check.h"
 #include "storage/connection.h"
 #include "storage/files/imported_map.h"
 #include "storage/rows/map_rows.h"
@@ -65,11 +65,6 @@ Status CopyRows(Database& file, const std::string& name) {
 }
 
 Status WriteTo(Database& file, const std::string& source_path, const std::string& name, const std::stop_token& stop) {
-  DHPMAP_RETURN_IF_ERROR(
-      file.Execute("PRAGMA page_size = 4096; PRAGMA auto_vacuum = INCREMENTAL; "
-                   "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA temp_store = MEMORY",
-                   kExportTask));  // an incomplete file is removed
-  DHPMAP_RETURN_IF_ERROR(MigrateSchema(file));
   DHPMAP_ASSIGN_OR_RETURN(Statement attach, file.Prepare("ATTACH ? AS source", kExportTask));
   DHPMAP_RETURN_IF_ERROR(attach.Bind(source_path).Run());
   if (stop.stop_requested()) return NobodyWaits();  // SQLite ignores an interrupt between two statements
@@ -136,10 +131,20 @@ Status VerifyFile(Database& file, const std::string& name, const std::stop_token
 
 }  // namespace
 
+Result<Database> MakeMapFile(const std::string& path) {
+  DHPMAP_ASSIGN_OR_RETURN(Database file, Database::Open(path, sqlite::OpenMode::kReadWriteOrCreate, kBusyTimeout_ms));
+  DHPMAP_RETURN_IF_ERROR(
+      file.Execute("PRAGMA page_size = 4096; PRAGMA auto_vacuum = INCREMENTAL; "
+                   "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA temp_store = MEMORY",
+                   kExportTask));  // what is not finished is removed
+  DHPMAP_RETURN_IF_ERROR(MigrateSchema(file));
+  return file;
+}
+
 Status WriteMapFile(const std::string& source_path, const std::string& name, const std::string& path,
                     const std::stop_token& stop) {
   const auto write = [&]() -> Status {
-    DHPMAP_ASSIGN_OR_RETURN(Database file, Database::Open(path, sqlite::OpenMode::kReadWriteOrCreate, kBusyTimeout_ms));
+    DHPMAP_ASSIGN_OR_RETURN(Database file, MakeMapFile(path));
     const sqlite::StoppedBy stopped(file, stop);
     return WriteTo(file, source_path, name, stop);
   };

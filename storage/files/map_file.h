@@ -14,6 +14,9 @@ namespace dhpmap {
 // One map as a file: a database of the present schema with only that map, so that later versions read it like any older
 // database.
 
+/// A new file with the tables of the present schema, and no map yet; to be removed unless all of it gets written.
+Result<sqlite::Database> MakeMapFile(const std::string& path);
+
 /// Writes one map of the database at `source_path` to a new file, as committed, while commits continue. NOT_FOUND;
 /// DATA_LOSS if the map's row is damaged (tiles are not checked); CANCELLED. After any error there is no file at
 /// `path`.

@@ -7,11 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
-#include <optional>
 #include <utility>
-
-#include "storage/files/backup.h"
-#include "storage/files/map_file.h"
 
 namespace dhpmap {
 namespace {
@@ -39,12 +35,12 @@ Status CheckRoomForFile(int descriptor, std::uint64_t file_bytes) {
 
 class FileImport final : public MapImport {
  public:
-  /// Takes ownership of the descriptor and the file.
-  FileImport(std::string path, int descriptor, ImportTarget target)
-      : path_(std::move(path)), descriptor_(descriptor), target_(std::move(target)) {}
+  /// Takes the descriptor over, and the file.
+  FileImport(std::string path, int descriptor, MakeTaker make_taker)
+      : path_(std::move(path)), descriptor_(descriptor), make_taker_(std::move(make_taker)) {}
   ~FileImport() override {
     Close();
-    copy_.reset();
+    taker_.reset();
     RemoveDatabase(path_);
   }
   FileImport(const FileImport&) = delete;
@@ -69,15 +65,15 @@ class FileImport final : public MapImport {
     Close();  // before SQLite locks it
     DHPMAP_ASSIGN_OR_RETURN(MapFile file, MapFile::Open(path_, stop));
     std::string name = file.map_name();
-    copy_.emplace(std::move(file), target_);
+    taker_ = make_taker_(std::move(file));
     return name;
   }
 
-  Status Bring(const std::stop_token& stop) override { return copy_->BringBlobs(stop); }
+  Status Bring(const std::stop_token& stop) override { return taker_->Bring(stop); }
 
   Status Add(const std::string& name) override {
     DHPMAP_RETURN_IF_ERROR(ValidateMapName(name));
-    return copy_->AddRows(name);
+    return taker_->Add(name);
   }
 
  private:
@@ -89,17 +85,16 @@ class FileImport final : public MapImport {
   const std::string path_;
   int descriptor_;
   std::uint64_t num_bytes_ = 0, next_look_bytes_ = 0;
-  const ImportTarget target_;
-  std::optional<MapCopy> copy_;
+  const MakeTaker make_taker_;
+  std::unique_ptr<MapTaker> taker_;  ///< once the file is looked through
 };
 
 }  // namespace
 
-Result<std::unique_ptr<MapImport>> BeginMapImport(const std::string& path, ImportTarget target) {
-  std::string place = UnfinishedPath(path);
+Result<std::unique_ptr<MapImport>> BeginMapImport(std::string place, MakeTaker make_taker) {
   const int descriptor = open(place.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0) return CannotKeep(errno);
-  return std::unique_ptr<MapImport>(std::make_unique<FileImport>(std::move(place), descriptor, std::move(target)));
+  return std::unique_ptr<MapImport>(std::make_unique<FileImport>(std::move(place), descriptor, std::move(make_taker)));
 }
 
 }  // namespace dhpmap

@@ -4,12 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "storage/files/map_copy.h"
+#include "storage/files/map_taker.h"
 #include "storage/store.h"
 
 namespace dhpmap {
 
-/// An import into the database at `path`; the received data lie in a file next to it.
-Result<std::unique_ptr<MapImport>> BeginMapImport(const std::string& path, ImportTarget target);
+/// An import whose data are received into a new file at `place`, which is removed with it.
+Result<std::unique_ptr<MapImport>> BeginMapImport(std::string place, MakeTaker make_taker);
 
 }  // namespace dhpmap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/paging/tile_blobs.h"
 
+#include "storage/paging/submap_tiles.h"
 #include "storage/tiles/object_layers.h"
 #include "storage/tiles/tile_name.h"
 
@@ -46,25 +47,6 @@ Result<std::vector<BlockEntry>> TileBlobs::Read(const std::string& name, const T
                                                 const TileOnDisk& tile) {
   return With<std::vector<BlockEntry>>(
       name, [&](sqlite::Database& database) { return ReadLayers(database, name, owner, tile); });
-}
-
-Status TileBlobs::Begin(const std::string& name) {
-  const MutexLock lock(mutex_);
-  if (is_closed_) return Unavailable(name + " cannot be read any more: the store is closed");
-  ++num_reading_;
-  return Status::Ok();
-}
-
-TileBlobs::Reading::~Reading() {
-  const MutexLock lock(blobs_.mutex_);
-  if (--blobs_.num_reading_ == 0) blobs_.is_idle_.NotifyAll();
-}
-
-void TileBlobs::Close() {
-  const MutexLock lock(mutex_);
-  is_closed_ = true;
-  is_idle_.Wait(mutex_, [this]() DHPMAP_REQUIRES(mutex_) { return num_reading_ == 0; });
-  readers_ = nullptr;
 }
 
 }  // namespace dhpmap

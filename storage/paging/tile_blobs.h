@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/base/mutex.h"
 #include "mapping/paging/tile_page.h"
 #include "storage/connection.h"
+#include "storage/paging/reading_gate.h"
 #include "storage/paging/tile_expiry.h"
 
 namespace dhpmap {
@@ -22,42 +22,26 @@ class TileBlobs {
 
   /// The blocks of a tile, by ascending cell. Errors as TileSource, and of SQLite. `name`, of the owner, is for
   /// messages.
-  Result<std::vector<BlockEntry>> Read(const std::string& name, const TileOwner& owner, const TileOnDisk& tile)
-      DHPMAP_EXCLUDES(mutex_);
+  Result<std::vector<BlockEntry>> Read(const std::string& name, const TileOwner& owner, const TileOnDisk& tile);
 
   /// Calls read(database) with a connection; it returns a Result. UNAVAILABLE once the store is closed, and errors of
   /// SQLite.
   template <typename Value, typename Reader>
-  Result<Value> With(const std::string& name, Reader&& read) DHPMAP_EXCLUDES(mutex_) {
-    DHPMAP_RETURN_IF_ERROR(Begin(name));
-    const Reading reading(*this);  // also if memory runs out
+  Result<Value> With(const std::string& name, Reader&& read) {
+    DHPMAP_RETURN_IF_ERROR(gate_.Enter(name));
+    const ReadingGate::Visit visit(gate_);  // also if memory runs out
     DHPMAP_ASSIGN_OR_RETURN(ReaderPool::Lease lease, readers_->Borrow());
     return read(*lease);
   }
 
   /// Waits for active readers, then closes the file.
-  void Close() DHPMAP_EXCLUDES(mutex_);
+  void Close() {
+    gate_.Close();
+    readers_ = nullptr;
+  }
 
  private:
-  /// Counts a reader as active during its lifetime.
-  class Reading {
-   public:
-    explicit Reading(TileBlobs& blobs) : blobs_(blobs) {}
-    ~Reading();
-    Reading(const Reading&) = delete;
-    Reading& operator=(const Reading&) = delete;
-
-   private:
-    TileBlobs& blobs_;
-  };
-
-  /// Counts the caller as reading.
-  Status Begin(const std::string& name) DHPMAP_EXCLUDES(mutex_);
-
-  Mutex mutex_;
-  CondVar is_idle_;
-  int num_reading_ DHPMAP_GUARDED_BY(mutex_) = 0;
-  bool is_closed_ DHPMAP_GUARDED_BY(mutex_) = false;
+  ReadingGate gate_;
   std::unique_ptr<ReaderPool> readers_;  ///< changed only by Close, without active readers
 };
 

@@ -52,11 +52,6 @@ Result<bool> HasItsTiles(Database& database, std::int64_t submap_key) {
 
 }  // namespace
 
-Status Expired(const std::string& what) {
-  return Aborted(what + " is of a state that was held while the map went on: ask for its present one")
-      .WithReason("SNAPSHOT_EXPIRED");
-}
-
 Result<bool> IsGivenUp(Database& database, const TileOwner& owner, std::int64_t blob_key) {
   DHPMAP_ASSIGN_OR_RETURN(const sqlite::Transaction one_state, sqlite::Transaction::BeginRead(database));
   DHPMAP_ASSIGN_OR_RETURN(const bool is_referred_to, IsReferredTo(database, blob_key));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "storage/sqlite/database.h"
 
@@ -13,9 +12,6 @@ struct TileOwner {
   std::int64_t map_key = 0;
   std::int64_t submap_key = 0;
 };
-
-/// ABORTED, reason SNAPSHOT_EXPIRED. `what`: the subject of the sentence.
-Status Expired(const std::string& what);
 
 /// Whether the store has deleted a missing blob because the map has changed since. False if it may be lost instead: a
 /// row still refers to it, or the map's submaps or this one's tiles do not match their rows. Scans all rows of tiles,

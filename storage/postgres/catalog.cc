@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "storage/postgres/commit.h"
+#include "storage/postgres/lost_answer.h"
 #include "storage/postgres/map_head.h"
 #include "storage/postgres/map_reader.h"
 #include "storage/postgres/table_text.h"
@@ -16,6 +18,7 @@ namespace {
 
 constexpr char kListTask[] = "list the maps";
 
+const std::string kBeginReading = "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY";
 const std::string kSums =
     "SELECT map_key, sum(num_tsdf_blocks)::bigint, sum(num_label_blocks)::bigint, sum(blob_bytes)::bigint FROM submaps "
     "WHERE map_key = ANY ($1) GROUP BY map_key";
@@ -67,8 +70,10 @@ Status ReadRest(Connection& connection, const std::vector<std::int64_t>& keys, S
       calls.emplace_back(Call{text}).values.Add(std::span<const std::int64_t>(keys));
     }
   }
+  if (keys.empty()) calls.clear();
+  calls.push_back({&CommitText()});
   Answers got = connection.Run(calls, kListTask);
-  if (!got.status.ok()) return got.status;
+  if (!got.status.ok() || keys.empty()) return got.status;
   ReadAll(ConfigTable(), got.answers[0], &MapParts::config, page);
   ReadAll(Classes(), got.answers[1], &MapParts::classes, page);
   ReadAll(Sessions(), got.answers[2], &MapParts::sessions, page);
@@ -103,26 +108,28 @@ Result<StoredMap> Describe(MapHead& head, bool is_read, Page& page) {
   return map;
 }
 
-/// One transaction for both trips, so that no commit comes between.
-Result<Page> ReadPage(Connection& connection, const Call& heads, Sums sums) {
-  DHPMAP_ASSIGN_OR_RETURN(const OneState one_state, OneState::Begin(connection));
+/// One transaction of two round trips, so that no commit comes between.
+Result<Page> ReadPage(Connection& connection, Call heads, Sums sums) {
+  std::vector<Call> first = {{&kBeginReading}};
+  first.push_back(std::move(heads));
+  Answers got = connection.Run(first, kListTask);
+  if (!got.status.ok()) return got.status;
   Page page;
-  DHPMAP_ASSIGN_OR_RETURN(Answer answer, connection.Query(heads, kListTask));
   std::vector<std::int64_t> keys;
-  while (answer.Next()) {
+  for (Answer& answer = got.answers.back(); answer.Next();) {
     MapHead head;
     const bool is_read = ReadHead(answer, head);
     keys.push_back(head.row.key);
     page.heads.emplace_back(std::move(head), is_read);
   }
-  if (!keys.empty()) DHPMAP_RETURN_IF_ERROR(ReadRest(connection, keys, sums, page));
+  DHPMAP_RETURN_IF_ERROR(ReadRest(connection, keys, sums, page));
   return page;
 }
 
 Result<Page> ReadOne(Connection& connection, const std::string& name) {
   Call call{&HeadByName()};
   call.values.Add(name);
-  DHPMAP_ASSIGN_OR_RETURN(Page page, ReadPage(connection, call, Sums::kAll));
+  DHPMAP_ASSIGN_OR_RETURN(Page page, ReadPage(connection, std::move(call), Sums::kAll));
   if (page.heads.empty()) return NoSuchMap(name);
   return page;
 }
@@ -132,7 +139,7 @@ Result<Page> ReadOne(Connection& connection, const std::string& name) {
 Result<std::vector<StoredMap>> ListCatalog(Connection& connection, const std::string& after, std::size_t max) {
   Call call{&HeadsAfter()};
   call.values.Add(after).Add(LimitOf(max));
-  DHPMAP_ASSIGN_OR_RETURN(Page page, ReadPage(connection, call, Sums::kNone));
+  DHPMAP_ASSIGN_OR_RETURN(Page page, ReadPage(connection, std::move(call), Sums::kNone));
   std::vector<StoredMap> maps;
   maps.reserve(page.heads.size());
   for (auto& [head, is_read] : page.heads) {

@@ -10,7 +10,7 @@
 
 namespace dhpmap::postgres {
 
-/// See MapStore::ListMaps: at most four round trips.
+/// See MapStore::ListMaps: two round trips.
 Result<std::vector<StoredMap>> ListCatalog(Connection& connection, const std::string& after, std::size_t max);
 /// See MapStore::ListMapNames.
 Result<std::vector<std::string>> ListNames(Connection& connection, const std::string& after, std::size_t max);

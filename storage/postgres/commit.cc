@@ -20,10 +20,15 @@ const std::string kCollectDead =
     "blob_counts c WHERE c.map_key = $1 AND c.num_refs <= 0 AND c.since_ns < $2 ORDER BY c.since_ns LIMIT $3) "
     "RETURNING "
     "blob_key) DELETE FROM tile_blobs USING dead WHERE tile_blobs.map_key = $1 AND tile_blobs.blob_key = dead.blob_key";
+const std::string kPutPlaces = "INSERT INTO commit_places (map_key, commit_id, places) VALUES ($1, $2, $3)";
+const std::string kDeleteConfig = "DELETE FROM map_config WHERE map_key = $1";
+const std::string kTrimPlaces = "DELETE FROM commit_places WHERE map_key = $1 AND commit_id <= $2";
+
+bool IsSameConfig(const MapParts& a, const MapParts& b) { return ConfigChecksum(a.config) == ConfigChecksum(b.config); }
 
 /// The row that follows from a state and what is stored of its layers. Its parts are sealed as they are after it.
 MapRow RowAfter(const MapRow& before, const MapSnapshot& after, const TileTotals& tiles, bool lacks_left,
-                const MapParts& parts) {
+                const MapParts& parts_before, const MapParts& parts) {
   MapRow row = MapRowOf(after);
   row.key = before.key;
   row.tiles = tiles;
@@ -31,14 +36,21 @@ MapRow RowAfter(const MapRow& before, const MapSnapshot& after, const TileTotals
   row.marks = before.marks;
   RaiseMarks(row);
   SealMapParts(row, parts);
-  // A config never changes, and keeps the retired keys that it was stored with.
-  if (before.config_checksum != 0) row.config_checksum = before.config_checksum;
+  // Stored rows may include retired keys at their defaults, which were not loaded.
+  if (IsSameConfig(parts_before, parts)) row.config_checksum = before.config_checksum;
   SealMapRow(row);
   return row;
 }
 
+/// In place of all that is stored, retired keys included.
+void WriteConfig(const std::vector<ConfigRow>& rows, std::vector<Call>& calls) {
+  static const std::string insert = InsertText(ConfigTable());
+  calls.emplace_back(Call{&kDeleteConfig}).values.Add(rows.front().map_key);
+  for (const ConfigRow& row : rows) ConfigTable().BindAll(row, calls.emplace_back(Call{&insert}).values);
+}
+
 void WriteParts(const MapParts& before, const MapParts& after, std::vector<Call>& calls) {
-  WriteDiff(ConfigTable(), before.config, after.config, calls);
+  if (!IsSameConfig(before, after)) WriteConfig(after.config, calls);
   WriteDiff(Classes(), before.classes, after.classes, calls);
   WriteDiff(Sessions(), before.sessions, after.sessions, calls);
   WriteDiff(MergedTable(), before.merged, after.merged, calls);
@@ -53,6 +65,18 @@ void CollectDead(std::int64_t map_key, std::int64_t now_ns, std::int64_t num_wri
   const auto before_ns = now_ns - static_cast<std::int64_t>(limits.dead_grace_s * 1e9);
   const std::int64_t num = std::min<std::int64_t>(16 + 2 * num_written, 512);
   calls.emplace_back(Call{&kCollectDead}).values.Add(map_key).Add(before_ns).Add(num);
+}
+
+/// For who follows the map. Old ones go with some commits alone: a prime number, so that no rhythm of commits that have
+/// no places misses them for ever.
+void WritePlaces(const MapHead& head, const FetchedState& state, std::vector<Call>& calls) {
+  constexpr std::int64_t kCommitsATrim = 61;
+  CommitPlaces places;
+  state.tiles.AddTo(places);
+  state.submaps.AddTo(places);
+  calls.emplace_back(Call{&kPutPlaces}).values.Add(head.row.key).Add(head.commit_id).Add(ByteView(places.Encode()));
+  if (head.commit_id % kCommitsATrim != 0) return;
+  calls.emplace_back(Call{&kTrimPlaces}).values.Add(head.row.key).Add(head.commit_id - CommitPlaces::kNumKept);
 }
 
 /// Plans one commit.
@@ -86,7 +110,7 @@ class Planner {
     DHPMAP_ASSIGN_OR_RETURN(WrittenTiles written, WriteChanges(state_.submaps, state_.tiles, map_.key, changes_,
                                                                map_.number, pool_, objects));
     const MapParts parts = MapPartsOf(map_.key, after.info());
-    head.row = RowAfter(head.row, after, tiles, lacks_left, parts);
+    head.row = RowAfter(head.row, after, tiles, lacks_left, parts_before, parts);
     WriteParts(parts_before, parts, calls);
     WriteLogs(is_kept, calls);
     state_.tiles.Write(map_.key, now_ns_, calls);
@@ -143,6 +167,7 @@ Result<CommitStatements> StatementsOf(const CommitRequest& request, const std::v
   DHPMAP_ASSIGN_OR_RETURN(
       statements.written,
       Planner(request, changes, map, limits, pool, state).Plan(MapPartsOf(map.key, request.before.info()), head, body));
+  WritePlaces(head, state, body);
   statements.calls.reserve(body.size() + 3);
   statements.calls.push_back({&kBegin});
   statements.calls.push_back(ReplaceHead(state.head, head));

@@ -81,6 +81,12 @@ Result<Connection> Connection::Open(const ConnectionOptions& options) {
   return connection;
 }
 
+Result<Connection> Connection::OpenForLong(const ConnectionOptions& options) {
+  DHPMAP_ASSIGN_OR_RETURN(Connection connection, Open(options));
+  DHPMAP_RETURN_IF_ERROR(connection.Execute("SET idle_in_transaction_session_timeout TO 0", kConnectTask));
+  return connection;
+}
+
 bool Connection::IsBroken() const { return is_given_up_ || PQstatus(connection_.get()) != CONNECTION_OK; }
 
 std::string Connection::Said() const { return PQerrorMessage(connection_.get()); }
@@ -217,9 +223,11 @@ Status Connection::Stream(const Call& call, const char* task, const std::functio
   const auto pointers = call.values.Pointers();
   const auto lengths = call.values.Lengths();
   const std::vector<int> formats(types.size(), 1);
-  if (PQsendQueryParams(connection_.get(), call.sql->c_str(), static_cast<int>(types.size()), types.data(),
+  // In a pipeline of its own: outside of one, libpq would leave the mode to the next pipeline's first statement.
+  if (PQenterPipelineMode(connection_.get()) != 1 ||
+      PQsendQueryParams(connection_.get(), call.sql->c_str(), static_cast<int>(types.size()), types.data(),
                         pointers.data(), lengths.data(), formats.data(), 1) != 1 ||
-      PQsetSingleRowMode(connection_.get()) != 1) {
+      PQsetSingleRowMode(connection_.get()) != 1 || PQpipelineSync(connection_.get()) != 1) {
     GiveUp();
     return ConnectionLost(task, Said());
   }
@@ -230,12 +238,18 @@ Status Connection::ReadResults(const char* task, const std::function<Status(Answ
   Status status;
   for (bool is_lost = false;;) {
     Answer answer(NextResult(Clock::now() + patience_, is_lost));
-    if (is_lost) {
-      GiveUp();
-      return ConnectionLost(task, Said());
-    }
     const pg_result* const result = answer.result();
+    if (is_lost || (result == nullptr && IsBroken())) {
+      GiveUp();
+      return status.ok() ? ConnectionLost(task, Said()) : status;
+    }
+    const bool is_pipeline = PQpipelineStatus(connection_.get()) != PQ_PIPELINE_OFF;
+    if (result == nullptr && is_pipeline) continue;
     if (result == nullptr) return status;
+    if (PQresultStatus(result) == PGRES_PIPELINE_SYNC) {
+      (void)PQexitPipelineMode(connection_.get());
+      return status;
+    }
     if (PQresultStatus(result) == PGRES_FATAL_ERROR) {
       status = ErrorFrom(StateOf(result), task, PQresultErrorMessage(result));
     } else if (status.ok() && answer.Next()) {

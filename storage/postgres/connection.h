@@ -43,6 +43,8 @@ struct ConnectionOptions {
 class Connection {
  public:
   static Result<Connection> Open(const ConnectionOptions& options);
+  /// For reading that may pause in a transaction: the server ends others when they are idle in one for 2 s.
+  static Result<Connection> OpenForLong(const ConnectionOptions& options);
 
   /// Sends all statements at once and waits for all answers. After the first error none of the others has run, and the
   /// transaction is rolled back. `task` completes "cannot ...".

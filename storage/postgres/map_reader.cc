@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "storage/paging/map_layers.h"
+#include "storage/postgres/paged_submap.h"
 #include "storage/postgres/table_text.h"
 #include "storage/postgres/tile_writes.h"
 #include "storage/rows/submap_rows.h"
@@ -14,11 +15,12 @@ namespace dhpmap::postgres {
 namespace {
 
 constexpr char kReadStateTask[] = "read the map";
-const std::string kAllTiles =
+const std::string kTiles =
     "SELECT t.owner_id, t.x, t.y, t.z, t.layer, t.blob_key, b.blob_key IS NULL, coalesce(c.num_refs, 1) > 1, "
     "coalesce(b.num_blocks, 0), t.cells, t.extent, b.blob FROM tiles t LEFT JOIN tile_blobs b ON b.map_key = t.map_key "
-    "AND b.blob_key = t.blob_key LEFT JOIN blob_counts c ON c.map_key = t.map_key AND c.blob_key = t.blob_key WHERE "
-    "t.map_key = $1 ORDER BY t.owner_id, t.x, t.y, t.z, t.layer";
+    "AND b.blob_key = t.blob_key LEFT JOIN blob_counts c ON c.map_key = t.map_key AND c.blob_key = t.blob_key ";
+const std::string kAllTiles = kTiles + "WHERE t.map_key = $1 ORDER BY t.owner_id, t.x, t.y, t.z, t.layer";
+const std::string kOwnTiles = kTiles + "WHERE t.map_key = $1 AND t.owner_id = $2 ORDER BY t.x, t.y, t.z, t.layer";
 
 TileRow TileOf(Answer& answer) {
   TileRow row;
@@ -94,9 +96,15 @@ class StateMaker {
   std::vector<std::shared_ptr<const Submap>> submaps_;
 };
 
-Result<std::shared_ptr<const MapSnapshot>> MakeState(Connection& connection, MapRow& map, Answer& submap_rows,
-                                                     std::uint16_t store, ThreadPool& pool) {
-  DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> rows, SubmapsOf(submap_rows, map));
+std::shared_ptr<const MapSnapshot> StateOf(MapRow& map, std::vector<std::shared_ptr<const Submap>> submaps,
+                                           MapLayers layers) {
+  return std::make_shared<const MapSnapshot>(std::move(map.info), std::move(submaps), std::move(layers.free_space),
+                                             VacatedSpace{std::move(layers.vacated), map.leaving()});
+}
+
+Result<std::shared_ptr<const MapSnapshot>> MakeState(Connection& connection, MapRow& map,
+                                                     const std::vector<SubmapRow>& rows, std::uint16_t store,
+                                                     ThreadPool& pool) {
   StateMaker maker(rows, store, pool);
   Call call{&kAllTiles};
   call.values.Add(map.key);
@@ -104,9 +112,37 @@ Result<std::shared_ptr<const MapSnapshot>> MakeState(Connection& connection, Map
       connection.Stream(call, kReadStateTask, [&maker](Answer& row) -> Status { return maker.Add(row); }));
   DHPMAP_RETURN_IF_ERROR(maker.Finish());
   DHPMAP_ASSIGN_OR_RETURN(MapLayers layers, maker.Layers(map));
-  return std::make_shared<const MapSnapshot>(std::move(map.info), std::move(maker.submaps()),
-                                             std::move(layers.free_space),
-                                             VacatedSpace{std::move(layers.vacated), map.leaving()});
+  return StateOf(map, std::move(maker.submaps()), std::move(layers));
+}
+
+/// The same with the tiles of objects left where they are.
+Result<std::shared_ptr<const MapSnapshot>> MakePagedState(Connection& connection, MapRow& map,
+                                                          const std::vector<SubmapRow>& rows, std::uint16_t store,
+                                                          ThreadPool& pool, const std::shared_ptr<PageReader>& pages) {
+  MapLayersMaker layers_maker;
+  Call call{&kOwnTiles};
+  call.values.Add(map.key).Add(kMapsOwner);
+  DHPMAP_RETURN_IF_ERROR(connection.Stream(call, kReadStateTask, [&layers_maker](Answer& row) -> Status {
+    (void)row.Int();  // the owner
+    return layers_maker.Add(TileOf(row));
+  }));
+  DHPMAP_ASSIGN_OR_RETURN(MapLayers layers, layers_maker.Finish(map));
+  const PagedMap paged{pages, map.key, map.info.revision};
+  const auto shared = std::make_shared<SharedTiles>();
+  SubmapMaker without_tiles(store, pool);
+  std::vector<std::shared_ptr<const Submap>> submaps;
+  submaps.reserve(rows.size());
+  for (const SubmapRow& row : rows) {
+    std::shared_ptr<const Submap>& submap = submaps.emplace_back();
+    if (HasTiles(row)) {
+      auto unread = std::make_shared<PagedSubmap>(paged, store, shared, map.info.name, row);
+      DHPMAP_ASSIGN_OR_RETURN(submap, UnreadSubmap(row, std::move(unread)));
+    } else {
+      without_tiles.Begin(row);
+      DHPMAP_ASSIGN_OR_RETURN(submap, without_tiles.Finish());
+    }
+  }
+  return StateOf(map, std::move(submaps), std::move(layers));
 }
 
 }  // namespace
@@ -144,7 +180,8 @@ Result<MapParts> ReadParts(std::span<Answer> answers) {
 }
 
 Result<std::shared_ptr<const MapSnapshot>> ReadMapState(Connection& connection, const std::string& name,
-                                                        std::int64_t map_key, std::uint16_t store, ThreadPool& pool) {
+                                                        std::int64_t map_key, std::uint16_t store, ThreadPool& pool,
+                                                        const std::shared_ptr<PageReader>& pages) {
   static const std::string submaps = SelectText(Submaps(), "WHERE map_key = $1 ORDER BY submap_id");
   DHPMAP_ASSIGN_OR_RETURN(const OneState one_state, OneState::Begin(connection));
   std::vector<Call> calls = CallsForParts(map_key);
@@ -159,7 +196,12 @@ Result<std::shared_ptr<const MapSnapshot>> ReadMapState(Connection& connection, 
   const Status filled = parts.ok() ? FillInfo(head.row, *parts) : parts.status();
   if (filled.code() == StatusCode::kDataLoss) return DamagedRows(name, filled.message());
   DHPMAP_RETURN_IF_ERROR(filled);
-  auto state = MakeState(connection, head.row, got.answers[7], store, pool);
+  const auto make = [&]() -> Result<std::shared_ptr<const MapSnapshot>> {
+    DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> rows, SubmapsOf(got.answers[7], head.row));
+    return pages == nullptr ? MakeState(connection, head.row, rows, store, pool)
+                            : MakePagedState(connection, head.row, rows, store, pool, pages);
+  };
+  auto state = make();
   const StatusCode code = state.status().code();
   const bool is_damage = code == StatusCode::kDataLoss || code == StatusCode::kFailedPrecondition;
   return is_damage ? DamagedState(name, state.status()) : state;

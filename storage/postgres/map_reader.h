@@ -12,6 +12,7 @@
 #include "mapping/map/map.h"
 #include "storage/postgres/connection.h"
 #include "storage/postgres/map_head.h"
+#include "storage/postgres/page_reader.h"
 #include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {
@@ -34,8 +35,10 @@ std::vector<Call> CallsForParts(std::int64_t map_key);
 /// Answers to them. DATA_LOSS for a row that is none.
 Result<MapParts> ReadParts(std::span<Answer> answers);
 
-/// The whole map. Its tiles get keys of `store`. Errors as MapStore::LoadMap.
+/// The whole map. Its tiles get keys of `store`. `pages`: where those of objects are left; null: they are read, too.
+/// Errors as MapStore::LoadMap.
 Result<std::shared_ptr<const MapSnapshot>> ReadMapState(Connection& connection, const std::string& name,
-                                                        std::int64_t map_key, std::uint16_t store, ThreadPool& pool);
+                                                        std::int64_t map_key, std::uint16_t store, ThreadPool& pool,
+                                                        const std::shared_ptr<PageReader>& pages = nullptr);
 
 }  // namespace dhpmap::postgres

@@ -5,6 +5,7 @@
 
 #include "mapping/base/guarded.h"
 #include "storage/postgres/commit.h"
+#include "storage/postgres/incoming_map.h"
 #include "storage/postgres/lost_answer.h"
 #include "storage/postgres/map_head.h"
 #include "storage/rows/map_parts.h"
@@ -33,9 +34,10 @@ const std::string kForgetRemoved = "DELETE FROM removed_maps WHERE map_key = $1"
 const std::vector<std::string>& SweepTexts() {
   static const std::vector<std::string> texts = [] {
     std::vector<std::string> made;
-    for (const char* table : {"tiles", "submaps", "blob_counts", "edit_tiles", "edit_histories", "edit_targets",
-                              "edit_totals", "edits", "changes", "change_logs", "lost_revisions", "map_config",
-                              "label_classes", "feed_sessions", "merged_ids", "object_pairs", "kept_clear"}) {
+    for (const char* table :
+         {"tiles", "submaps", "blob_counts", "edit_tiles", "edit_histories", "edit_targets", "edit_totals", "edits",
+          "changes", "change_logs", "lost_revisions", "map_config", "label_classes", "commit_places", "feed_sessions",
+          "merged_ids", "object_pairs", "kept_clear"}) {
       made.push_back(std::string("DELETE FROM ") + table + " WHERE map_key = $1");
     }
     return made;
@@ -68,7 +70,10 @@ Status RemoveMap(Connection& connection, const std::string& name, std::optional<
 
 Result<bool> SweepSome(Connection& connection) {
   DHPMAP_ASSIGN_OR_RETURN(Answer next, connection.Query({&kNextRemoved}, kDeleteTask));
-  if (!next.Next()) return false;
+  if (!next.Next()) {
+    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t num_given_up, GiveUpAbandoned(connection));
+    return num_given_up > 0;
+  }
   const std::int64_t map_key = next.Int();
   Call call{&kSweepBlobs};
   call.values.Add(map_key);

@@ -15,7 +15,7 @@ namespace dhpmap::postgres {
 /// epoch (nothing: whoever owns it).
 Status RemoveMap(Connection& connection, const std::string& name, std::optional<std::int64_t> epoch);
 
-/// Deletes some hundred rows of a removed map. Returns whether there may be more.
+/// Deletes some hundred rows of a removed map, or of an import that was given up. Returns whether there may be more.
 Result<bool> SweepSome(Connection& connection);
 
 /// Sweeps on a thread of its own whenever there is something. What it does not get to is swept by the next process.

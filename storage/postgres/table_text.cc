@@ -26,7 +26,7 @@ std::string Join(const TableSql& table, Wanted wanted, const char* between,
 }
 
 std::string Name(const std::string& name, int) { return name; }
-std::string Parameter(const std::string&, int number) { return "$" + std::to_string(number); }
+std::string Parameter(const std::string&, int number) { return std::string(1, '$') += std::to_string(number); }
 std::string Assignment(const std::string& name, int number) { return name + " = $" + std::to_string(number); }
 std::string Excluded(const std::string& name, int) { return name + " = excluded." + name; }
 

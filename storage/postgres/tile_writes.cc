@@ -195,8 +195,8 @@ void TileWrites::Write(std::int64_t map_key, std::int64_t now_ns, std::vector<Ca
     calls.emplace_back(Call{&kEraseOwner}).values.Add(map_key).Add(owner);
   }
   for (const auto& [place, tile] : tiles_) {
+    if (!tile.IsToBeWritten()) continue;
     const bool is_erased = tile.blob.key == 0;
-    if (!tile.is_changed || (is_erased && !tile.is_stored)) continue;
     Values& values = calls.emplace_back(Call{is_erased ? &kEraseTile : &kPutTile}).values;
     values.Add(map_key).Add(place.owner).Add(place.x).Add(place.y).Add(place.z).Add(place.layer);
     if (is_erased) continue;
@@ -204,6 +204,13 @@ void TileWrites::Write(std::int64_t map_key, std::int64_t now_ns, std::vector<Ca
     values.Add(static_cast<std::int64_t>(tile.blob.extent));
   }
   counts_.Write(map_key, now_ns, calls);
+}
+
+void TileWrites::AddTo(CommitPlaces& places) const {
+  for (const std::int64_t owner : erased_owners_) places.Empty(owner);
+  for (const auto& [place, tile] : tiles_) {
+    if (tile.IsToBeWritten()) places.AddTile(place.owner, {place.x, place.y, place.z}, place.layer);
+  }
 }
 
 void SubmapWrites::Fetched(Answer& submaps) {
@@ -238,6 +245,11 @@ void SubmapWrites::Write(std::int64_t map_key, std::vector<Call>& calls) const {
   static const std::string upsert = UpsertText(Submaps());
   for (const std::int64_t id : erased_) calls.emplace_back(Call{&kEraseSubmap}).values.Add(map_key).Add(id);
   for (const auto& entry : written_) Submaps().BindAll(entry.second, calls.emplace_back(Call{&upsert}).values);
+}
+
+void SubmapWrites::AddTo(CommitPlaces& places) const {
+  for (const std::int64_t id : erased_) places.AddRow(id);
+  for (const auto& entry : written_) places.AddRow(entry.first);
 }
 
 }  // namespace dhpmap::postgres

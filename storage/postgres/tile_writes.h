@@ -9,6 +9,7 @@
 
 #include "storage/commit/state_tables.h"
 #include "storage/postgres/answer.h"
+#include "storage/postgres/commit_places.h"
 #include "storage/postgres/values.h"
 #include "storage/rows/submap_rows.h"
 
@@ -67,6 +68,8 @@ class TileWrites final : public TileTable {
 
   /// Adds the statements that write it all.
   void Write(std::int64_t map_key, std::int64_t now_ns, std::vector<Call>& calls);
+  /// Adds the rows that these statements write or erase.
+  void AddTo(CommitPlaces& places) const;
 
  private:
   struct Place {
@@ -79,6 +82,7 @@ class TileWrites final : public TileTable {
     StoredBlob blob;         ///< key 0: there is no row
     bool is_stored = false;  ///< there was one before
     bool is_changed = false;
+    [[nodiscard]] bool IsToBeWritten() const { return is_changed && (blob.key != 0 || is_stored); }
   };
   using Tiles = std::map<Place, Tile>;
   static Place PlaceOf(std::int64_t owner, TileIndex index, std::int64_t layer) {
@@ -108,6 +112,8 @@ class SubmapWrites final : public SubmapTable {
   Status Erase(std::int64_t submap_key) override;
 
   void Write(std::int64_t map_key, std::vector<Call>& calls) const;
+  /// As TileWrites::AddTo.
+  void AddTo(CommitPlaces& places) const;
 
  private:
   TileWrites& tiles_;

@@ -2,6 +2,7 @@
 #include "storage/rows/config_rows.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "storage/sqlite/database.h"
@@ -14,6 +15,7 @@ using sqlite::Statement;
 
 constexpr char kReadConfigTask[] = "read a map's config";
 constexpr char kWriteConfigTask[] = "write a map's config";
+constexpr std::string_view kIs = " = ";  // between key and value in MapConfig::left_out
 
 }  // namespace
 
@@ -70,7 +72,7 @@ Result<MapConfig> ConfigOf(const std::vector<ConfigRow>& rows) {
     if (set.ok()) continue;
     const RetiredField* const retired = FindRetiredField(row.key);
     if (retired != nullptr && retired->is_left_out) {
-      config.left_out.push_back(row.key + " = " + row.value);
+      config.left_out.push_back(row.key + std::string(kIs) + row.value);
       continue;
     }
     if (retired != nullptr) {
@@ -87,6 +89,10 @@ Result<MapConfig> ConfigOf(const std::vector<ConfigRow>& rows) {
 std::vector<ConfigRow> ConfigRowsOf(std::int64_t map_key, const MapConfig& config) {
   std::vector<ConfigRow> rows;
   for (auto& [key, value] : ConfigToText(config)) rows.push_back({map_key, key, value});
+  for (const std::string& setting : config.left_out) {
+    const std::size_t end_of_key = setting.find(kIs);
+    rows.push_back({map_key, setting.substr(0, end_of_key), setting.substr(end_of_key + kIs.size())});
+  }
   std::sort(rows.begin(), rows.end(), [](const ConfigRow& a, const ConfigRow& b) { return a.key < b.key; });
   return rows;
 }

@@ -22,7 +22,7 @@ struct ConfigRow {
 };
 const Table<ConfigRow>& ConfigTable();
 
-/// Of every key, ascending.
+/// Of every key and of MapConfig::left_out, by ascending key.
 std::vector<ConfigRow> ConfigRowsOf(std::int64_t map_key, const MapConfig& config);
 /// By ascending key.
 Result<std::vector<ConfigRow>> ReadConfigRows(sqlite::Database& database, std::int64_t map_key);

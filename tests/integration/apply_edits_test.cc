@@ -10,6 +10,7 @@
 
 #include "google/rpc/error_details.pb.h"
 #include "tests/integration/test_server.h"
+#include "tests/integration/test_store.h"
 #include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
@@ -54,7 +55,7 @@ class ApplyEditsTest : public ::testing::Test {
     return request;
   }
 
-  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  std::unique_ptr<MapStore> store = MakeTestStore();
   TestServer server{*store};
   grpc::Status status;
   std::string ball, box, floor;

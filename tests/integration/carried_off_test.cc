@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/integration/test_store.h"
 #include "tests/integration/walked_room.h"
 #include "tests/integration/watcher.h"
 
@@ -23,7 +24,7 @@ class CarriedOff : public ::testing::Test {
   v1::Submap Chair() { return ListedOfClass(server, "room", kChairClass); }
   v1::GetSubmapResponse Get(const std::string& name) { return server.Call(&SubmapStub::GetSubmap, name).value(); }
 
-  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  std::unique_ptr<MapStore> store = MakeTestStore();
   TestServer server{*store};
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/integration/test_server.h"
+#include "tests/integration/test_store.h"
 #include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
@@ -177,7 +178,7 @@ class EditFieldsTest : public ::testing::Test {
         }));
   }
 
-  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  std::unique_ptr<MapStore> store = MakeTestStore();
   TestServer server{*store};
   std::string ball, box, floor;
   std::int64_t mapped_revision = 0;

@@ -9,6 +9,7 @@
 #include "google/rpc/status.pb.h"
 #include "mapping/objects/merge_submaps.h"
 #include "tests/integration/test_server.h"
+#include "tests/integration/test_store.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -58,7 +59,7 @@ class EditTest : public ::testing::Test {
     return response.results_size() == 1 && response.results(0).near_surface() ? response.results(0).instance_id() : -1;
   }
 
-  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  std::unique_ptr<MapStore> store = MakeTestStore();
   TestServer server{*store};
   grpc::Status status;
   v1::Submap ball, box, floor;

@@ -11,6 +11,7 @@
 #include "tests/integration/failing_store.h"
 #include "tests/integration/feeder.h"
 #include "tests/integration/tcp_proxy.h"
+#include "tests/integration/test_store.h"
 #include "tests/support/eventually.h"
 #include "tests/support/status_reason.h"
 
@@ -59,7 +60,7 @@ TEST(Feeds, NoAcknowledgementSaysMoreThanTheStoreHolds) {
 }
 
 TEST(Feeds, TheLastFramesAcknowledgementComesWhenAllIsStored) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, kLazy, {.max_frames_in_flight = 8});
   Create(server, "room");
   Feeder feeder(server, "room");
@@ -106,7 +107,7 @@ TEST(Feeds, IfTheEndCannotBeStoredTheLastFrameIsAcknowledgedAndTheStreamFails) {
 
 /// Who counts the answers calls Finish at once, which gRPC lets wait for ever if there is one more to be read.
 TEST(Feeds, AStreamWithoutSessionThatHalfClosesLateIsOwedNoMoreAnswersAndEndsWhenAllIsStored) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, kLazy);
   Create(server, "room");
   grpc::ClientContext context;
@@ -131,7 +132,7 @@ TEST(Feeds, AStreamWithoutSessionThatHalfClosesLateIsOwedNoMoreAnswersAndEndsWhe
 }
 
 TEST(Feeds, ASessionEndsWithAnAnswerForNoFrame) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, kLazy);
   Create(server, "room");
   Feeder feeder(server, "room", {.session = "robot-7"});
@@ -151,7 +152,7 @@ TEST(Feeds, ASessionEndsWithAnAnswerForNoFrame) {
 }
 
 TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, kLazy);
   Create(server, "room");
   {
@@ -212,7 +213,7 @@ TEST(Feeds, WhatIsTakenButNotStoredIsADuplicateAndToldAsStoredOnlyLater) {
 }
 
 TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   Create(server, "room");
   for (const std::string& bad : {std::string("a b"), std::string(65, 'x'), std::string("a/b"), std::string("a:b")}) {
@@ -247,7 +248,7 @@ TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
 }
 
 TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {.feeds = {.idle_s = 1000}}, {.max_frames_in_flight = 8});
   Create(server, "room");
   Feeder first(server, "room", {.session = "first"});
@@ -288,7 +289,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
 }
 
 TEST(Feeds, AnIdleFeederMakesPlaceForAnother) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {.feeds = {.idle_s = 0}});
   Create(server, "room");
   Feeder first(server, "room");
@@ -304,7 +305,7 @@ TEST(Feeds, AnIdleFeederMakesPlaceForAnother) {
 }
 
 TEST(Feeds, AMapWhoseFeederIsIdleCanBeDeleted) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {.feeds = {.idle_s = 0}});
   Create(server, "room");
   Feeder feeder(server, "room");
@@ -319,7 +320,7 @@ TEST(Feeds, AMapWhoseFeederIsIdleCanBeDeleted) {
 
 /// gRPC gives a peer up that has not answered within the second: this asks for a machine that has one to spare.
 TEST(FeedsClock, APeerThatIsDeadEndsAlthoughItsConnectionIsOpen) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {.feeds = {.idle_s = 86'400}}, {.keepalive_s = 1});
   Create(server, "room");
   TcpProxy proxy(server.grpc().port());
@@ -346,7 +347,7 @@ TEST(FeedsClock, APeerThatIsDeadEndsAlthoughItsConnectionIsOpen) {
 }
 
 TEST(Feeds, OneMessageIsAnsweredOnceWhenItIsStoredOrByItsError) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, kLazy, {.max_frames_in_flight = 1});
   Create(server, "room");
   const auto send = [&](const v1::Frame& frame, std::vector<v1::IntegrateFramesResponse>& answers) {

@@ -7,6 +7,7 @@
 
 #include "storage/sqlite_store.h"
 #include "tests/integration/test_server.h"
+#include "tests/integration/test_store.h"
 #include "tests/support/eventually.h"
 
 namespace dhpmap::testing {
@@ -42,7 +43,7 @@ v1::PointResult QueryOne(TestServer& server, const std::string& map_id, double x
 }
 
 TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
   const FeedResult fed = Feed(server, "room", 0, kWalkFrames);
@@ -63,7 +64,7 @@ TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
 }
 
 TEST(Mapping, PointsOnObjectsAreAnsweredWithTheirClass) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
   ASSERT_OK(Feed(server, "room", 0, kWalkFrames));
@@ -121,7 +122,7 @@ TEST(Mapping, ARestartOnTheSameFileGivesTheSameAnswers) {
 TEST(Mapping, GoesOnAfterARestartAsIfThereHadBeenNone) {
   const TempDir dir;
   const std::string path = (dir.path() / "maps.db").string();
-  const auto whole_store = MakeMemoryStore();
+  const auto whole_store = MakeTestStore();
   TestServer whole(*whole_store);
   CreateMapNamed(whole, "room");
   ASSERT_OK(Feed(whole, "room", 0, kWalkFrames));
@@ -144,7 +145,7 @@ TEST(Mapping, GoesOnAfterARestartAsIfThereHadBeenNone) {
 }
 
 TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
   grpc::ClientContext context;
@@ -180,7 +181,7 @@ TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
 }
 
 TEST(Mapping, OneFrameInFlightAndTheInProcessChannelAreEnough) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {}, {.num_threads = 1, .max_frames_in_flight = 1});
   CreateMapNamed(server, "room");
   const auto mapping = v1::MappingService::NewStub(server.grpc().InProcessChannel());
@@ -191,7 +192,7 @@ TEST(Mapping, OneFrameInFlightAndTheInProcessChannelAreEnough) {
 }
 
 TEST(Mapping, AClientThatReadsNoAcknowledgementsLosesNothing) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {}, {.max_frames_in_flight = 2});
   CreateMapNamed(server, "room");
   grpc::ClientContext context;
@@ -211,7 +212,7 @@ TEST(Mapping, AClientThatReadsNoAcknowledgementsLosesNothing) {
 }
 
 TEST(Mapping, OneStreamFeedsOneMap) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
   CreateMapNamed(server, "hall");
@@ -232,7 +233,7 @@ TEST(Mapping, OneStreamFeedsOneMap) {
 }
 
 TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
   grpc::ClientContext context;
@@ -255,7 +256,7 @@ TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
 }
 
 TEST(Mapping, AClientThatGoesAwayLeavesTheMapFreeForOthers) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
   {
@@ -281,7 +282,7 @@ TEST(Mapping, AClientThatGoesAwayLeavesTheMapFreeForOthers) {
 }
 
 TEST(Mapping, ShutdownEndsAnOpenStreamAfterStoringWhatItAcknowledged) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
   grpc::ClientContext context;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/integration/test_server.h"
+#include "tests/integration/test_store.h"
 #include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
@@ -22,7 +23,7 @@ class ReadRevision : public ::testing::Test {
 
   void Begin(std::size_t max_kept_states) {
     server.reset();
-    store = MakeMemoryStore();
+    store = MakeTestStore();
     OpenMapOptions options{.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}};
     options.history.max_states = max_kept_states;
     server = std::make_unique<TestServer>(*store, std::move(options));

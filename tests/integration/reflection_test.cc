@@ -53,9 +53,10 @@ TEST_F(Reflection, DescribesEachServiceThatItLists) {
   for (const auto& service : answer_.list_services_response().service()) listed.insert(service.name());
   EXPECT_EQ(listed,
             (std::set<std::string>{"dhpmap.v1.EditService", "dhpmap.v1.MapService", "dhpmap.v1.MappingService",
-                                   "dhpmap.v1.AuthService", "dhpmap.v1.ServerService", "dhpmap.v1.QueryService",
-                                   "dhpmap.v1.SubmapService", "dhpmap.v1.WatchService", "grpc.health.v1.Health",
-                                   "grpc.reflection.v1.ServerReflection", "grpc.reflection.v1alpha.ServerReflection"}));
+                                   "dhpmap.v1.AuthService", "dhpmap.v1.FleetService", "dhpmap.v1.ServerService",
+                                   "dhpmap.v1.QueryService", "dhpmap.v1.SubmapService", "dhpmap.v1.WatchService",
+                                   "grpc.health.v1.Health", "grpc.reflection.v1.ServerReflection",
+                                   "grpc.reflection.v1alpha.ServerReflection"}));
   for (const std::string& name : listed) {
     ASSERT_TRUE(AskForSymbol(name));
     ASSERT_GT(answer_.file_descriptor_response().file_descriptor_proto_size(), 0) << name;

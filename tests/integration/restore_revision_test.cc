@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/integration/test_server.h"
+#include "tests/integration/test_store.h"
 #include "tests/support/status_reason.h"
 
 namespace dhpmap::testing {
@@ -78,7 +79,7 @@ class RestoreRevisionTest : public ::testing::Test {
     return status.ok() ? "OK" : ReasonOf(status);
   }
 
-  std::unique_ptr<MapStore> store = MakeMemoryStore();
+  std::unique_ptr<MapStore> store = MakeTestStore();
   TestServer server{*store, KeepsFew()};
   v1::RestoreRevisionResponse response;
   v1::ApplyEditsResponse applied;  // last
@@ -185,7 +186,7 @@ TEST_F(RestoreRevisionTest, MappingGoesOnFromThere) {
   const auto state = (*server.registry().ViewOf("room"))->shared_snapshot();
   EXPECT_EQ(state->info().num_frames, 16) << "frames are counted on";
   // What is seen again is what came back: there is nothing that would not be there without the edits.
-  const auto twin_store = MakeMemoryStore();
+  const auto twin_store = MakeTestStore();
   TestServer twin(*twin_store);
   ASSERT_OK(twin.Call(&MapStub::CreateMap, CreateRequest("room")));
   ASSERT_OK(Feed(twin, "room", 0, 10));

@@ -17,6 +17,7 @@
 #include "server/record/map_recorder.h"
 #include "tests/integration/busy_writer.h"
 #include "tests/integration/feeder.h"
+#include "tests/integration/test_store.h"
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
 #include "tests/support/status_reason.h"
@@ -47,7 +48,7 @@ std::shared_ptr<const MapSnapshot> StateOf(TestServer& server, const std::string
 }
 
 TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMap(server, CreateRequest("room"));
   {
@@ -79,7 +80,7 @@ TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
 /// However much one sends, a frame of another waits for no more than its own stream may have on the way.
 TEST(Sessions, OneRobotCannotStarveAnother) {
   constexpr int kInFlight = 3, kFlood = 24;
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {.publish = {.frames = 1}}, {.max_frames_in_flight = kInFlight});
   CreateMap(server, CreateRequest("room"));
   Feeder flood(server, "room", {.session = "flood"}), other(server, "room", {.session = "other"});
@@ -113,7 +114,7 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
 }
 
 TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   constexpr std::int64_t kTick_ns = 1'000'000, kBegin_ns = std::int64_t{1} << 60;
   std::atomic<std::int64_t> now_ns = kBegin_ns;  // else frames of more than 10 s ago would count for no rate
   TestServer server(*store,
@@ -152,7 +153,7 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
 }
 
 TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {.publish = {.frames = 1}, .feeds = {.idle_s = 1000}}, {.max_frames_in_flight = 8});
   CreateMap(server, CreateRequest("room"));
   Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
@@ -180,7 +181,7 @@ TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
 /// Two see the room in turns, one sees it alone: the same things, each once, and nearly the same surface.
 TEST(Sessions, TwoRobotsMakeTheMapThatOneMakes) {
   constexpr int kNumFrames = 16;
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store, {.mapping = {.refinement_timing = RefinementTiming::kReproducible}});
   for (const char* name : {"one", "two"}) CreateMap(server, CreateRequest(name));
   {
@@ -208,7 +209,7 @@ TEST(Sessions, TwoRobotsMakeTheMapThatOneMakes) {
 }
 
 TEST(Sessions, FinishingShowsInAWatchAndCanBeCancelled) {
-  const auto store = MakeMemoryStore();
+  const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMap(server, CreateRequest("room"));
   ASSERT_OK(Feed(server, "room", 0, 3));
@@ -260,7 +261,7 @@ class RecordedSessions : public ::testing::Test {
   /// Feeds the map 'room' of a server that records; what was recorded lies in one file.
   template <typename Use>
   std::shared_ptr<const MapSnapshot> Record(int num_threads, Use&& use, std::int64_t max_bytes = 1 << 30) {
-    const auto store = MakeMemoryStore();
+    const auto store = MakeTestStore();
     records_ = RecordDir::Open((dir_.path() / "records").string(), max_bytes).value();
     TestServer server(*store,
                       {.mapping = {.num_threads = num_threads, .refinement_timing = RefinementTiming::kReproducible},
@@ -337,7 +338,7 @@ TEST_F(RecordedSessions, TheRecordMakesTheSameMapForAnyNumberOfThreads) {
   EXPECT_EQ(original->info().num_frames, 18);
   EXPECT_TRUE(stopped_.empty());
   for (const int num_threads : {1, 3}) {
-    const auto store = MakeMemoryStore();
+    const auto store = MakeTestStore();
     TestServer server(*store,
                       {.mapping = {.num_threads = num_threads, .refinement_timing = RefinementTiming::kReproducible}});
     EXPECT_TRUE(MapsAreEqual(*original, *ReplayInto(server), 0, 0)) << num_threads;

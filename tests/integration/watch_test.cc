@@ -5,6 +5,7 @@
 #include <random>
 #include <thread>
 
+#include "tests/integration/test_store.h"
 #include "tests/integration/watcher.h"
 #include "tests/support/eventually.h"
 
@@ -15,7 +16,7 @@ namespace {
 class WatchTest : public ::testing::Test {
  protected:
   void Begin(const ChangeHistoryLimits& limits = {}, const RegistryOptions& options = {}) {
-    store = MakeMemoryStore(limits);
+    store = MakeTestStore(limits);
     server = std::make_unique<TestServer>(*store, OpenMapOptions{}, GrpcOptions{}, GrpcObserver{}, options);
     CreateMap();
   }

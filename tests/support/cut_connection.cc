@@ -48,7 +48,9 @@ constexpr std::string_view kCommitted(
     12);
 
 /// As a client of ours names a prepared statement.
-std::string NameOfStatement(const std::string& sql) { return std::string("s").append(std::to_string(std::hash<std::string>{}(sql))); }
+std::string NameOfStatement(const std::string& sql) {
+  return std::string("s").append(std::to_string(std::hash<std::string>{}(sql)));
+}
 
 }  // namespace
 

@@ -115,7 +115,7 @@ ExitCode RunCollisions(const Session& session, const CollisionFlags& flags) {
   const auto options = OptionsToProto(flags.check);
   if (!options.ok()) return ReportLocalError(options.status().message(), ExitCode::kUsage);
   *request.mutable_options() = *options;
-  request.set_read_revision(flags.check.query.world.asker.read_revision);
+  SetRead(flags.check.query.world.asker.read, request);
   request.set_all_contacts(flags.check.all_contacts);
   return Tell(session, Ask(session, &v1::QueryService::Stub::CheckCollisions, request),
               [&](const v1::CheckCollisionsResponse& response) { PrintTable(response); });
@@ -200,14 +200,14 @@ ExitCode RunTrajectory(const Session& session, const TrajectoryFlags& flags) {
   for (const std::int64_t id : flags.attached) {
     v1::GetSubmapRequest wanted;
     wanted.set_name(SubmapName(flags.check.map, id));
-    wanted.set_read_revision(flags.check.query.world.asker.read_revision);
+    SetRead(flags.check.query.world.asker.read, wanted);
     const auto taken = Ask(session, &v1::SubmapService::Stub::GetSubmap, wanted);
     if (!taken.ok()) return ReportError(session, taken.status());
     const auto attached = TakeUp(taken->submap(), options.map_from_query(), trajectory.waypoints(0));
     if (!attached.ok()) return ReportLocalError(attached.status().message(), ExitCode::kUsage);
     *options.add_attached() = *attached;
   }
-  request.set_read_revision(flags.check.query.world.asker.read_revision);
+  SetRead(flags.check.query.world.asker.read, request);
   request.set_all_contacts(flags.check.all_contacts);
   request.set_include_clearance(flags.with_clearance);
   return Tell(session, Ask(session, &v1::QueryService::Stub::CheckTrajectory, request),

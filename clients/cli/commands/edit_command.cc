@@ -31,7 +31,7 @@ struct EditOptions : EditFlags {
   std::vector<std::string> classes;
   std::string region_name;
   int min_voxels = 0;
-  std::int64_t read_revision = 0;  ///< for `kept-clear`
+  ReadFlags read;  ///< of `kept-clear`
   double angle_deg = 0;
   std::vector<double> offset_m, at_m;
   std::int64_t support = 0;
@@ -290,7 +290,7 @@ std::string Numbers(const v1::Vector3& v) { return Fixed(v.x(), 2) + " " + Fixed
 ExitCode RunListIgnoredRegions(const Session& session, const EditOptions& options) {
   v1::ListIgnoredRegionsRequest request;
   request.set_parent(MapName(options.map));
-  request.set_read_revision(options.read_revision);
+  SetRead(options.read, request);
   return Tell(
       session, Ask(session, &v1::EditService::Stub::ListIgnoredRegions, request),
       [&](const v1::ListIgnoredRegionsResponse& response) {
@@ -357,7 +357,7 @@ void AddIgnoredRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>
   }
   CLI::App* list = AddMapEdit(edit, "ignored-regions", "List the regions that mapping leaves empty", options, session,
                               RunListIgnoredRegions);
-  AddRevisionFlag(*list, options->read_revision);
+  AddReadFlags(*list, options->read);
 }
 
 void AddRegionCommands(CLI::App& edit, const std::shared_ptr<EditOptions>& options, Session& session) {

@@ -18,7 +18,7 @@ struct ExportOptions {
   std::int64_t id = -1;  ///< -1: all objects
   v1::GetSubmapMeshRequest::Format format = v1::GetSubmapMeshRequest::PLY;
   double max_abs_tsdf_m = 0;
-  std::int64_t read_revision = 0;
+  ReadFlags read;
 };
 
 v1::GetSubmapMeshRequest::Coloring ColoringOf(const std::string& name) {
@@ -41,7 +41,7 @@ ExitCode RunMesh(const Session& session, const ExportOptions& options) {
   request.set_name(options.id >= 0 ? SubmapName(options.map, options.id) : MapName(options.map));
   request.set_format(options.format);
   request.set_coloring(ColoringOf(options.coloring));
-  request.set_read_revision(options.read_revision);
+  SetRead(options.read, request);
   auto file = OutputFile::Open(options.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
   const auto parts = session.caller->Read(&v1::SubmapService::Stub::GetSubmapMesh, request);
@@ -70,7 +70,7 @@ ExitCode RunVoxels(const Session& session, const ExportOptions& options) {
   v1::StreamSubmapVoxelsRequest request;
   request.set_name(SubmapName(options.map, options.id));
   request.set_max_abs_tsdf_m(options.max_abs_tsdf_m);
-  request.set_read_revision(options.read_revision);
+  SetRead(options.read, request);
   auto file = OutputFile::Open(options.file);
   if (!file.ok()) return ReportLocalError(file.status().message());
   file->Write("x_m,y_m,z_m,tsdf_m,weight,r,g,b,class_id,class_confidence\n");
@@ -103,7 +103,7 @@ void AddMesh(CLI::App& parent, const char* name, const char* what, v1::GetSubmap
   command->add_option("--color", options->coloring, "Colour of the vertices")
       ->check(CLI::IsMember({"sensor", "class", "instance"}))
       ->capture_default_str();
-  AddRevisionFlag(*command, options->read_revision);
+  AddReadFlags(*command, options->read);
   command->callback([options, &session] { session.exit_code = RunMesh(session, *options); });
 }
 
@@ -122,7 +122,7 @@ void AddExportCommands(CLI::App& app, Session& session) {
   voxels->add_option("id", options->id, "Instance id of the object")->required();
   voxels->add_option("-o,--output", options->file, "File to write, - for stdout")->required();
   voxels->add_option("--max-abs-tsdf", options->max_abs_tsdf_m, "Only voxels so near the surface (metres)");
-  AddRevisionFlag(*voxels, options->read_revision);
+  AddReadFlags(*voxels, options->read);
   voxels->callback([options, &session] { session.exit_code = RunVoxels(session, *options); });
 }
 

@@ -46,7 +46,7 @@ ExitCode RunGrid(const Session& session, const GridCommand& command) {
   high.set_z(command.box_m[5]);
   request.set_resolution_m(command.resolution_m);
   *request.mutable_options() = ToProto(command.query, command.map);
-  request.set_read_revision(command.query.world.asker.read_revision);
+  SetRead(command.query.world.asker.read, request);
   if (command.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_padding_m(command.padding_m);
   auto file = OutputFile::Open(command.file);
   if (!file.ok()) return ReportLocalError(file.status().message());

@@ -40,7 +40,7 @@ ExitCode RunList(const Session& session) {
 /// A map in its current state, or at a revision.
 struct MapAt {
   std::string name;
-  std::int64_t read_revision = 0;
+  ReadFlags read;
 };
 
 void PrintMap(const v1::Map& map) {
@@ -55,7 +55,7 @@ void PrintMap(const v1::Map& map) {
 }
 
 ExitCode RunShow(const Session& session, const MapAt& wanted) {
-  return Tell(session, GetMap(session, wanted.name, wanted.read_revision), PrintMap);
+  return Tell(session, GetMap(session, wanted.name, wanted.read), PrintMap);
 }
 
 struct CreateOptions {
@@ -137,7 +137,7 @@ void PrintStats(const std::string& map, const v1::GetMapStatsResponse& stats) {
 ExitCode RunStats(const Session& session, const MapAt& wanted) {
   v1::GetMapStatsRequest request;
   request.set_name(MapName(wanted.name));
-  request.set_read_revision(wanted.read_revision);
+  SetRead(wanted.read, request);
   return Tell(session, Ask(session, &v1::MapService::Stub::GetMapStats, request),
               [&](const v1::GetMapStatsResponse& stats) { PrintStats(MapName(wanted.name), stats); });
 }
@@ -172,7 +172,7 @@ void AddNamed(CLI::App& app, const char* name, const char* what, Session& sessio
   auto wanted = std::make_shared<MapAt>();
   CLI::App* command = app.add_subcommand(name, what);
   command->add_option("map", wanted->name, "Name of the map")->required();
-  AddRevisionFlag(*command, wanted->read_revision);
+  AddReadFlags(*command, wanted->read);
   command->callback([wanted, run, &session] { session.exit_code = run(session, *wanted); });
 }
 

@@ -35,7 +35,7 @@ v1::SearchSubmapsRequest SearchRequest(const SearchCommand& command) {
   request.set_map(MapName(command.map));
   request.set_name_part(command.name_part);
   *request.mutable_options() = ToProto(command.asker);
-  request.set_read_revision(command.asker.read_revision);
+  SetRead(command.asker.read, request);
   request.mutable_options()->mutable_class_names()->Assign(command.class_names.begin(), command.class_names.end());
   if (!command.near_m.empty()) SetVector(command.near_m.data(), *request.mutable_near_point_m());
   if (command.max_distance_m != 0) request.mutable_options()->set_max_distance_m(command.max_distance_m);
@@ -105,7 +105,7 @@ ExitCode RunRelations(const Session& session, const RelationsCommand& command) {
   for (const std::string& kind : command.kinds) request.add_kinds(KindOf(kind));
   request.set_max_gap_m(command.max_gap_m);
   *request.mutable_options() = ToProto(command.asker);
-  request.set_read_revision(command.asker.read_revision);
+  SetRead(command.asker.read, request);
   return Tell(session, AskForAll(session, &v1::QueryService::Stub::QueryRelations, request),
               [](const v1::QueryRelationsResponse& response) { PrintTable(response); });
 }

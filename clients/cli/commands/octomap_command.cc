@@ -22,9 +22,9 @@ namespace {
 
 struct OctomapOptions {
   std::string map, file;
-  double resolution_m = 0;        ///< 0: that of the voxels
-  std::vector<double> heights_m;  ///< lowest and highest; empty: all surfaces
-  std::int64_t read_revision = 0;
+  double resolution_m = 0;        ///< 0: the voxels'
+  std::vector<double> heights_m;  ///< from, to; empty: of all surfaces
+  ReadFlags read;
 };
 
 struct Heights {
@@ -50,14 +50,14 @@ Heights HeightsOf(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps)
 
 /// Completes missing options from one state of the map.
 client::Status Complete(const Session& session, OctomapOptions& options) {
-  const auto map = GetMap(session, options.map, options.read_revision);
+  const auto map = GetMap(session, options.map, options.read);
   if (!map.ok()) return map.status();
-  options.read_revision = map->revision();
+  options.read = {.revision = map->revision()};
   if (options.resolution_m == 0) options.resolution_m = map->config().voxel_size_m();
   if (!options.heights_m.empty()) return {};
   v1::ListSubmapsRequest request;
   request.set_parent(MapName(options.map));
-  request.set_read_revision(options.read_revision);
+  SetRead(options.read, request);
   const auto all = AskForAll(session, &v1::SubmapService::Stub::ListSubmaps, request);
   if (!all.ok()) return all.status();
   const Heights heights = HeightsOf(all->submaps());
@@ -101,7 +101,7 @@ ExitCode ReadLayers(const Session& session, const OctomapOptions& options, Octom
     request.set_min_z_m(layer * options.resolution_m);
     request.set_max_z_m((layer + 1) * options.resolution_m);
     request.set_resolution_m(options.resolution_m);
-    request.set_read_revision(options.read_revision);
+    SetRead(options.read, request);
     const auto slice = Ask(session, &v1::QueryService::Stub::QueryOccupancySlice, request);
     if (!slice.ok()) return ReportError(session, slice.status());
     if (const Status added = AddLayer(*slice, layer, octomap); !added.ok()) return ReportLocalError(added.message());
@@ -121,11 +121,11 @@ ExitCode RunOctomap(const Session& session, OctomapOptions options) {
   if (options.file == "-") return ExitCode::kOk;
   if (session.json) {
     std::cout << "{\n  \"cells\": " << octomap.num_cells() << ",\n  \"occupied\": " << octomap.num_occupied()
-              << ",\n  \"revision\": \"" << options.read_revision << "\"\n}\n";
+              << ",\n  \"revision\": \"" << options.read.revision << "\"\n}\n";
   } else {
     std::cout << options.file << ": " << octomap.num_occupied() << " occupied and "
               << octomap.num_cells() - octomap.num_occupied() << " free cells of " << Fixed(options.resolution_m, 3)
-              << " m, of revision " << options.read_revision << "\n";
+              << " m, of revision " << options.read.revision << "\n";
   }
   return ExitCode::kOk;
 }
@@ -140,7 +140,7 @@ void AddOctomapCommand(CLI::App& parent, Session& session) {
   command->add_option("--resolution", options->resolution_m, "Side of a cell, in m; default: the voxels'")
       ->check(CLI::Range(0.001, 100.0));
   command->add_option("--heights", options->heights_m, "FROM TO in m; default: those of all surfaces")->expected(2);
-  AddRevisionFlag(*command, options->read_revision);
+  AddReadFlags(*command, options->read);
   command->callback([options, &session] { session.exit_code = RunOctomap(session, *options); });
 }
 

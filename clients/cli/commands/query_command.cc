@@ -89,7 +89,7 @@ ExitCode RunPoint(const Session& session, const PointOptions& options) {
   request.set_map(MapName(options.map));
   request.mutable_packed_points_m()->Assign(xyz_m->begin(), xyz_m->end());
   *request.mutable_options() = ToProto(options.asker);
-  request.set_read_revision(options.asker.read_revision);
+  SetRead(options.asker.read, request);
   return Tell(session, Ask(session, &v1::QueryService::Stub::QueryPoints, request),
               [&](const v1::QueryPointsResponse& response) { PrintTable(request, response); });
 }
@@ -126,7 +126,7 @@ ExitCode RunDistances(const Session& session, const DistancesOptions& options) {
   request.set_map(MapName(options.points.map));
   request.mutable_packed_points_m()->Assign(xyz_m->begin(), xyz_m->end());
   *request.mutable_options() = ToProto(options.flags, options.points.map);
-  request.set_read_revision(options.flags.world.asker.read_revision);
+  SetRead(options.flags.world.asker.read, request);
   if (options.padding_m != 0) request.mutable_options()->mutable_padding()->set_default_padding_m(options.padding_m);
   if (options.tolerance_vox != 0) request.mutable_options()->set_tolerance_vox(options.tolerance_vox);
   return Tell(session, Ask(session, &v1::QueryService::Stub::QueryDistances, request),
@@ -163,7 +163,7 @@ ExitCode RunRays(const Session& session, const DistancesOptions& options) {
     (i % 6 < 3 ? request.mutable_packed_origins_m() : request.mutable_packed_directions())->Add(numbers[i]);
   }
   *request.mutable_options() = ToProto(options.flags, options.points.map);
-  request.set_read_revision(options.flags.world.asker.read_revision);
+  SetRead(options.flags.world.asker.read, request);
   return Tell(session, Ask(session, &v1::QueryService::Stub::CastRays, request),
               [&](const v1::CastRaysResponse& response) { PrintTable(response); });
 }

@@ -36,7 +36,7 @@ v1::QueryOccupancySliceRequest SliceRequest(const SliceCommand& command) {
   }
   *request.mutable_options() = ToProto(command.world, command.map);
   request.mutable_options()->set_unknown_policy(command.unknown);
-  request.set_read_revision(command.world.asker.read_revision);
+  SetRead(command.world.asker.read, request);
   return request;
 }
 

@@ -21,7 +21,7 @@ struct SubmapsOptions {
   std::vector<std::string> classes;
   std::string kind;
   std::vector<double> sphere, box;
-  std::int64_t read_revision = 0;
+  ReadFlags read;
 };
 
 std::string StateName(const v1::Submap& submap) {
@@ -61,7 +61,7 @@ void PrintTable(const google::protobuf::RepeatedPtrField<v1::Submap>& submaps) {
 ExitCode RunGet(const Session& session, const SubmapsOptions& options) {
   v1::GetSubmapRequest request;
   request.set_name(SubmapName(options.map, options.id));
-  request.set_read_revision(options.read_revision);
+  SetRead(options.read, request);
   return Tell(session, Ask(session, &v1::SubmapService::Stub::GetSubmap, request),
               [&](const v1::GetSubmapResponse& response) { std::cout << response.submap().DebugString(); });
 }
@@ -69,7 +69,7 @@ ExitCode RunGet(const Session& session, const SubmapsOptions& options) {
 ExitCode RunList(const Session& session, const SubmapsOptions& options) {
   v1::ListSubmapsRequest request;
   request.set_parent(MapName(options.map));
-  request.set_read_revision(options.read_revision);
+  SetRead(options.read, request);
   if (!options.classes.empty()) {
     const auto map = GetMap(session, options.map);
     if (!map.ok()) return ReportError(session, map.status());
@@ -105,7 +105,7 @@ void AddSubmapsCommand(CLI::App& app, Session& session) {
   command->add_option("--sphere", options->sphere, "Bounding sphere touches the sphere X Y Z RADIUS (metres)")
       ->expected(4);
   command->add_option("--box", options->box, "Bounding sphere touches the box X Y Z to X Y Z (metres)")->expected(6);
-  AddRevisionFlag(*command, options->read_revision);
+  AddReadFlags(*command, options->read);
   command->callback([options, &session] {
     session.exit_code = options->id >= 0 ? RunGet(session, *options) : RunList(session, *options);
   });

@@ -27,6 +27,12 @@ grpc::ChannelArguments ChannelOptions() {
   return arguments;
 }
 
+/// Null where a key would go in the clear to another machine.
+std::shared_ptr<grpc::Channel> ChannelTo(const std::string& address, const ConnectOptions& options) {
+  auto credentials = CredentialsFor(address, options);
+  return credentials.ok() ? grpc::CreateCustomChannel(address, *credentials, ChannelOptions()) : nullptr;
+}
+
 std::string Told(double s) {
   std::string text = std::to_string(s);
   text.erase(text.find_last_not_of('0') + 1);
@@ -42,7 +48,9 @@ Result<std::shared_ptr<Caller>> Caller::Make(const std::string& address, const C
   Result<std::string> token = TokenOf(options);
   if (!token.ok()) return token.status();
   const auto channel = grpc::CreateCustomChannel(address, *credentials, ChannelOptions());
-  return std::shared_ptr<Caller>(new Caller(told_address, options, *std::move(token), channel));
+  OwnerRoutes::Dial dial;
+  if (options.to_owner) dial = [options](const std::string& owner) { return ChannelTo(owner, options); };
+  return std::shared_ptr<Caller>(new Caller(told_address, options, *std::move(token), channel, std::move(dial)));
 }
 
 Result<std::shared_ptr<Caller>> Caller::Open(const std::string& address, const ConnectOptions& options) {
@@ -50,7 +58,7 @@ Result<std::shared_ptr<Caller>> Caller::Open(const std::string& address, const C
 }
 
 std::shared_ptr<Caller> Caller::Over(const std::shared_ptr<grpc::Channel>& channel, const ConnectOptions& options) {
-  return std::shared_ptr<Caller>(new Caller("", options, options.token, channel));
+  return std::shared_ptr<Caller>(new Caller("", options, options.token, channel, nullptr));
 }
 
 Result<std::shared_ptr<Caller>> Caller::Connect(const std::string& address, const ConnectOptions& options) {
@@ -63,12 +71,13 @@ Result<std::shared_ptr<Caller>> Caller::Connect(const std::string& address, cons
 }
 
 Caller::Caller(std::string told_address, ConnectOptions options, std::string token,
-               const std::shared_ptr<grpc::Channel>& channel)
+               const std::shared_ptr<grpc::Channel>& channel, OwnerRoutes::Dial dial)
     : address_(std::move(told_address)),
       options_(std::move(options)),
       token_(std::move(token)),
       channel_(channel),
-      stubs_(channel, channel, channel, channel, channel, channel, channel, channel) {}
+      first_(std::make_shared<Stubs>(channel)),
+      routes_(std::move(dial)) {}
 
 void Caller::Introduce(grpc::ClientContext& context) const {
   if (!token_.empty()) context.AddMetadata("authorization", "Bearer " + token_);
@@ -82,15 +91,30 @@ void Caller::Pause(Clock::time_point end) const {
 
 Status Caller::StatusOf(const grpc::Status& status) const { return client::StatusOf(status, address_); }
 
-Status Caller::Attempt(const std::function<grpc::Status(grpc::ClientContext*)>& call, double deadline_s,
-                       Again again) const {
+std::shared_ptr<Stubs> Caller::NearestTo(const std::string& map) const {
+  constexpr auto kSoon = std::chrono::milliseconds(250);
+  auto owner = routes_.To(map, Clock::now() + kSoon);
+  return owner != nullptr ? owner : first_;
+}
+
+void Caller::Heard(const std::string& map, const grpc::ClientContext& context, const grpc::Status& status) const {
+  if (status.error_code() == grpc::UNAVAILABLE) routes_.Forget(map);
+  else routes_.Learn(map, context);
+}
+
+Status Caller::Attempt(const std::function<grpc::Status(Stubs&, grpc::ClientContext*)>& call, const std::string& map,
+                       double deadline_s, Again again) const {
   const double most_s = DeadlineOr(deadline_s);
   const Clock::time_point end = Clock::now() + Seconds(most_s);
   for (Pauses pauses;;) {
     grpc::ClientContext context;
     Introduce(context);
     context.set_deadline(GrpcTime(end));
-    Status status = StatusOf(call(&context));
+    const auto owner = routes_.To(map);
+    const grpc::Status outcome = call(owner != nullptr ? *owner : *first_, &context);
+    Heard(map, context, outcome);
+    Status status = StatusOf(outcome);
+    if (owner != nullptr && status.reason == "NOT_OWNER") continue;  // it did nothing; now by the first server
     if (status.code == StatusCode::kDeadlineExceeded && status.reason.empty()) {
       status.message = "took longer than deadline_s = " + Told(most_s);
     }

@@ -7,21 +7,13 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <tuple>
 #include <utility>
 
+#include "clients/cpp/calls/owner_routes.h"
 #include "clients/cpp/calls/parts.h"
 #include "clients/cpp/calls/pauses.h"
 #include "dhpmap/options.h"
 #include "dhpmap/result.h"
-#include "dhpmap/v1/auth_service.grpc.pb.h"
-#include "dhpmap/v1/edit_service.grpc.pb.h"
-#include "dhpmap/v1/map_service.grpc.pb.h"
-#include "dhpmap/v1/mapping_service.grpc.pb.h"
-#include "dhpmap/v1/query_service.grpc.pb.h"
-#include "dhpmap/v1/server_service.grpc.pb.h"
-#include "dhpmap/v1/submap_service.grpc.pb.h"
-#include "dhpmap/v1/watch_service.grpc.pb.h"
 
 namespace dhpmap::client {
 
@@ -45,9 +37,11 @@ class Caller {
   Result<Response> Call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
                         const Request& request, double deadline_s = 0, Again again = Again::kYes) {
     Response response;
-    const Status status =
-        Attempt([&](grpc::ClientContext* context) { return (stub<Stub>().*method)(context, request, &response); },
-                deadline_s, again);
+    const Status status = Attempt(
+        [&](Stubs& stubs, grpc::ClientContext* context) {
+          return (stubs.template of<Stub>().*method)(context, request, &response);
+        },
+        MapOfRequest(request), deadline_s, again);
     if (!status.ok()) return status;
     return response;
   }
@@ -68,8 +62,12 @@ class Caller {
 
   template <typename Stub>
   Stub& stub() {
-    return std::get<Stub>(stubs_);
+    return first_->of<Stub>();
   }
+  /// Of the server that owns maps/..., if that is known and connected or is soon, else of the first one. For a stream
+  /// about the map, whose metadata are to be told to Heard.
+  std::shared_ptr<Stubs> NearestTo(const std::string& map) const;
+  void Heard(const std::string& map, const grpc::ClientContext& context, const grpc::Status& status) const;
   /// What each call says of who calls.
   void Introduce(grpc::ClientContext& context) const;
   /// Until there is a connection, or `end` has come; whether there is one. gRPC looks after a channel that nobody waits
@@ -86,16 +84,16 @@ class Caller {
   static Result<std::shared_ptr<Caller>> Make(const std::string& address, const ConnectOptions& options,
                                               const std::string& told_address);
   Caller(std::string told_address, ConnectOptions options, std::string token,
-         const std::shared_ptr<grpc::Channel>& channel);
-  Status Attempt(const std::function<grpc::Status(grpc::ClientContext*)>& call, double deadline_s, Again again) const;
+         const std::shared_ptr<grpc::Channel>& channel, OwnerRoutes::Dial dial);
+  Status Attempt(const std::function<grpc::Status(Stubs&, grpc::ClientContext*)>& call, const std::string& map,
+                 double deadline_s, Again again) const;
 
   const std::string address_;  // as it is told; empty: it is not
   const ConnectOptions options_;
   const std::string token_;
   const std::shared_ptr<grpc::Channel> channel_;
-  std::tuple<v1::AuthService::Stub, v1::EditService::Stub, v1::MapService::Stub, v1::MappingService::Stub,
-             v1::QueryService::Stub, v1::ServerService::Stub, v1::SubmapService::Stub, v1::WatchService::Stub>
-      stubs_;
+  const std::shared_ptr<Stubs> first_;  // of the server that was given
+  mutable OwnerRoutes routes_;
 };
 
 /// A UUID, by which the server knows an edit that is sent again.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "clients/cpp/calls/error.h"
+#include "proto/types/metadata_keys.h"
 
 namespace dhpmap::client {
 namespace {
@@ -177,14 +178,18 @@ Status FrameStream::Exchange() {
   grpc::ClientContext context;
   caller_->Introduce(context);
   int connection = 0;
+  std::string map;
   {
     const MutexLock lock(mutex_);
+    map = greeting_.map();
     if (is_abandoned_) return Error(StatusCode::kCancelled, "the feed is abandoned");
     connection = ++connection_;
     is_greeted_ = !has_name();
     context_ = &context;
   }
-  const auto stream = caller_->stub<v1::MappingService::Stub>().IntegrateFrames(&context);
+  context.AddMetadata(kRouteMapKey, map.substr(map.find('/') + 1));
+  const auto server = caller_->NearestTo(map);
+  const auto stream = server->of<v1::MappingService::Stub>().IntegrateFrames(&context);
   std::thread writer([&] { WriteAll(*stream, connection); });
   const Status heard = ReadAll(*stream);
   if (!heard.ok()) context.TryCancel();
@@ -196,6 +201,7 @@ Status FrameStream::Exchange() {
   }
   writer.join();
   const grpc::Status finished = stream->Finish();
+  caller_->Heard(map, context, finished);
   return heard.ok() ? EndOf(finished) : heard;
 }
 

@@ -76,6 +76,8 @@ Result<Pinned> Map::Pin() const {
 
 Pinned Map::At(std::int64_t revision) const { return {MakeCalledSource(caller_, resource_name_, revision), revision}; }
 
+EventualMap Map::Eventual() const { return EventualMap(MakeEventualSource(caller_, resource_name_)); }
+
 client::Loop Map::Loop() const {
   return client::Loop(std::make_shared<StreamSource>(caller_, resource_name_, StreamSource::OldPin::kRefuse));
 }

@@ -200,6 +200,8 @@ Result<std::vector<Object>> Queries::Find(std::string_view class_name, const Fin
   return found;
 }
 
+EventualMap::EventualMap(std::shared_ptr<Source> source) : Queries(std::move(source)) {}
+
 Pinned::Pinned(std::shared_ptr<Source> source, std::int64_t revision)
     : Queries(std::move(source)), revision_(revision) {}
 

@@ -33,7 +33,7 @@ from dhpmap._label_sets import label_set, label_sets
 from dhpmap._loop import Loop
 from dhpmap._map import Map
 from dhpmap._map_info import Finished, Label, MapInfo, MapStats, Revision, Session, Verified
-from dhpmap._map_view import PastMap
+from dhpmap._map_view import EventualMap, PastMap
 from dhpmap._objects import Object, Ref
 from dhpmap._options import QueryOptions
 from dhpmap._points import Points, Rays
@@ -48,10 +48,10 @@ __version__ = "0.2.0"
 __all__ = [
     "Aborted", "AlreadyExists", "BodyCheck", "Box", "Camera", "Cancelled", "Capsule", "Change", "Clearance",
     "Collisions", "Contact", "DataLoss", "DeadlineExceeded", "DistanceGrid", "Distances", "Edit", "EditResult",
-    "Error", "FailedPrecondition", "Feed", "Finished", "FrameWarning", "Internal", "InvalidArgument", "Label",
-    "LidarImage", "LoggedEdit", "Loop", "Map", "MapInfo", "MapStats", "Mesh", "New", "NotFound", "Object", "Objects",
-    "OrientedBox", "OutOfRange", "PastMap", "PathCheck", "PathContact", "PermissionDenied", "Plane", "Points",
-    "QueryOptions", "Rays", "Ref", "Relation", "ResourceExhausted", "Revision", "Segment", "Server", "Session",
-    "Slice", "Sphere", "Spheres", "Unauthenticated", "Unavailable", "Undone", "Unimplemented", "UnknownError",
-    "Verified", "Violation", "Voxels", "Watch", "connect", "label_set", "label_sets", "pose",
+    "Error", "EventualMap", "FailedPrecondition", "Feed", "Finished", "FrameWarning", "Internal", "InvalidArgument",
+    "Label", "LidarImage", "LoggedEdit", "Loop", "Map", "MapInfo", "MapStats", "Mesh", "New", "NotFound", "Object",
+    "Objects", "OrientedBox", "OutOfRange", "PastMap", "PathCheck", "PathContact", "PermissionDenied", "Plane",
+    "Points", "QueryOptions", "Rays", "Ref", "Relation", "ResourceExhausted", "Revision", "Segment", "Server",
+    "Session", "Slice", "Sphere", "Spheres", "Unauthenticated", "Unavailable", "Undone", "Unimplemented",
+    "UnknownError", "Verified", "Violation", "Voxels", "Watch", "connect", "label_set", "label_sets", "pose",
 ]

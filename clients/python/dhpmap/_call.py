@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 import uuid
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, TypeVar
 
 import grpc
@@ -13,6 +13,7 @@ from google.protobuf.message import Message
 from dhpmap._errors import Aborted, DeadlineExceeded, Error, Unavailable, error_of_rpc
 
 Answer = TypeVar("Answer", bound=Message)
+Heard = Callable[[Iterable[Any]], None]  # is told the metadata that an answer begins with
 
 FIRST_PAUSE_S = 0.1
 CONNECT_S = 2.0  # longer than a server takes that starts anew
@@ -46,7 +47,8 @@ class Caller:
         """The answer to one request; see `raw`."""
         return answer.FromString(self.raw(method, request.SerializeToString(), deadline_s=deadline_s, again=again))
 
-    def raw(self, method: str, request: bytes, *, deadline_s: float | None = None, again: bool = True) -> bytes:
+    def raw(self, method: str, request: bytes, *, deadline_s: float | None = None, again: bool = True,
+            heard: Heard | None = None) -> bytes:
         """The same in bytes. All attempts together end by the deadline.
 
         A call that met no server is sent again, unless `again` is False: for what would be done twice, as it carries
@@ -59,7 +61,11 @@ class Caller:
             left_s = max(end - time.monotonic(), 0.0)
             try:
                 # Who waits for a lost connection keeps gRPC at it, which looks every 5 s only while nobody does.
-                answer: bytes = call(request, timeout=left_s, metadata=self.metadata, wait_for_ready=lost is not None)
+                answer: bytes
+                answer, done = call.with_call(request, timeout=left_s, metadata=self.metadata,
+                                              wait_for_ready=lost is not None)
+                if heard is not None:
+                    heard(done.initial_metadata() or ())
                 return answer
             except grpc.RpcError as failed:
                 error = error_of_rpc(failed, self.address)
@@ -99,6 +105,16 @@ class Caller:
         """A stream without a deadline, of bytes both ways: "stream_stream", "unary_stream" or "stream_unary"."""
         opened: Callable[..., Any] = getattr(self._channel, kind)(f"/dhpmap.v1.{method}")
         return opened
+
+    def heard(self, head: Iterable[Any]) -> None:
+        """To be told the metadata of the first answer of what `open` has begun."""
+
+    def lost(self) -> None:
+        """To be told that what `open` has begun met no server, or none that would have it."""
+
+    def follow(self, note: Callable[[grpc.ChannelConnectivity], None]) -> None:
+        """Connects, and is told how that is, on a thread of gRPC."""
+        self._channel.subscribe(note, try_to_connect=True)
 
     def is_ready(self, timeout_s: float) -> bool:
         """Waits until there is a connection."""

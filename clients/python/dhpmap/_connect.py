@@ -14,6 +14,7 @@ from dhpmap._errors import Unavailable, bad_argument
 from dhpmap._files import import_map, write_parts
 from dhpmap._map import Map
 from dhpmap._map_info import Label, MapInfo, label_message, read_info
+from dhpmap._owner import OwnerCaller, Owners
 from dhpmap.v1 import map_service_pb2 as pb2
 from dhpmap.v1 import types_pb2
 
@@ -36,8 +37,8 @@ class Server:
     Close it, or use it in a `with` block. A process that forks connects anew in the child.
     """
 
-    def __init__(self, caller: Caller, author: str) -> None:
-        self._caller, self._author = caller, author
+    def __init__(self, caller: Caller, author: str, owners: Owners | None = None) -> None:
+        self._caller, self._author, self._owners = caller, author, owners
 
     def __getitem__(self, name: str) -> Map:
         """Raises NotFound (reason MAP_NOT_FOUND), which names the maps that there are."""
@@ -96,9 +97,12 @@ class Server:
     def close(self) -> None:
         """Ends the connection."""
         self._caller.close()
+        if self._owners is not None:
+            self._owners.close()
 
     def _map(self, name: str) -> Map:
-        return Map(self._caller, _resource_name(name), self._author)
+        caller = self._caller if self._owners is None else OwnerCaller(self._caller, self._owners)
+        return Map(caller, _resource_name(name), self._author)
 
     def __enter__(self) -> Server:
         return self
@@ -146,15 +150,29 @@ def _why_silent(address: str) -> str:
     return "something is there, which speaks no gRPC or wants TLS: connect(ca=...)"
 
 
+def _may_dial(address: str, token: str, tls: bool | bytes) -> bool:
+    """A key goes over TLS, or to this machine."""
+    is_local = address.split(":")[0] in ("localhost", "127.0.0.1", "unix") or address.startswith("[::1]")
+    return bool(not token or tls or is_local)
+
+
+def _channel_to(address: str, tls: bool | bytes) -> grpc.Channel:
+    if not tls:
+        return grpc.insecure_channel(address, _CHANNEL_OPTIONS)
+    return grpc.secure_channel(address, grpc.ssl_channel_credentials(None if tls is True else tls), _CHANNEL_OPTIONS)
+
+
 def connect(address: str = "127.0.0.1:50051", *, deadline_s: float = 30, connect_s: float = 5, token: str = "",
             token_file: str | pathlib.Path = "", tls: bool | bytes = False, ca: str | pathlib.Path = "",
-            author: str = "") -> Server:
+            author: str = "", to_owner: bool = True) -> Server:
     """Connects to a server's gRPC door.
 
     deadline_s: how long each call may take, lost connections included. connect_s: how long to wait for the server.
     tls: True for the system's roots, or PEM bytes of others; ca: a file that has these. token: your key, sent with
     every call, over TLS or to this machine only; token_file: a file of mode 600 that holds it. author: who edits,
-    unless an edit says so; where keys are on your own name, or one that begins with it and a slash.
+    unless an edit says so; where keys are on your own name, or one that begins with it and a slash. to_owner: of
+    several servers on one database, calls about a map go to the one that owns it, once an answer has told which that
+    is and it can be reached from here; else all go by this one.
 
     Raises Unavailable if no server answers, OSError if the file cannot be read.
     """
@@ -164,16 +182,15 @@ def connect(address: str = "127.0.0.1:50051", *, deadline_s: float = 30, connect
         token = _read_token(pathlib.Path(token_file))
     if ca:
         tls = _read_roots(ca, tls)
-    is_local = address.split(":")[0] in ("localhost", "127.0.0.1", "unix") or address.startswith("[::1]")
-    if token and not (tls or is_local):
+    if not _may_dial(address, token, tls):
         raise bad_argument("token", f"would go to {address} in the clear: connect with tls=True or ca=")
-    if tls:
-        credentials = grpc.ssl_channel_credentials(None if tls is True else tls)
-        channel = grpc.secure_channel(address, credentials, _CHANNEL_OPTIONS)
-    else:
-        channel = grpc.insecure_channel(address, _CHANNEL_OPTIONS)
-    caller = Caller(channel, address, deadline_s, token)
+
+    def dial(other: str) -> Caller:
+        return Caller(_channel_to(other, tls), other, deadline_s, token)
+
+    caller = dial(address)
     if not caller.is_ready(connect_s):
         caller.close()
         raise Unavailable(f"no server answers at {address} within connect_s={connect_s:g}; " + _why_silent(address))
-    return Server(caller, author)
+    owners = Owners(lambda other: dial(other) if _may_dial(other, token, tls) else None) if to_owner else None
+    return Server(caller, author, owners)

@@ -144,11 +144,14 @@ class FrameStream:
             if self._is_abandoned:
                 call.cancel()
         try:
-            for answer in call:
+            for number, answer in enumerate(call):
+                if number == 0:
+                    self._caller.heard(call.initial_metadata() or ())
                 error = self._hear(pb2.IntegrateFramesResponse.FromString(answer))
                 if error is not None:
                     return error
         except grpc.RpcError as failed:
+            self._caller.lost()
             return error_of_rpc(failed, self._caller.address)
         finally:
             call.cancel()

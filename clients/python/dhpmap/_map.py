@@ -19,7 +19,7 @@ from dhpmap._history import LoggedEdit, Undone, logged_edits, redo, restore, und
 from dhpmap._loop import Loop
 from dhpmap._map_info import (Finished, MapInfo, MapStats, Revision, Session, Verified, end_session, finish_mapping,
                               map_info, map_stats, revisions, sessions, set_title, verify)
-from dhpmap._map_view import MapView, PastMap
+from dhpmap._map_view import EventualMap, MapView, PastMap
 from dhpmap._objects import ObjectLike, id_of
 from dhpmap._options import strings
 from dhpmap._shapes import Box, box_message
@@ -47,6 +47,14 @@ class Map(MapView):
         if revision < 1:
             raise bad_argument("revision", f"{revision} is none; the present state is that of the map itself")
         return PastMap(self._caller, self.resource_name, revision)
+
+    def eventual(self) -> EventualMap:
+        """The map as the server that is asked has it, where several servers share a store.
+
+        That is a copy, some tenths of a second behind the server that writes the map. Answers never go back in time;
+        with `min_revision` they wait until the copy is there.
+        """
+        return EventualMap(self._caller, self.resource_name)
 
     def revisions(self) -> list[Revision]:
         """Those that `at` can read now, the newest first."""

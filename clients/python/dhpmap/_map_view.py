@@ -12,7 +12,7 @@ from dhpmap._objects import ObjectLike
 from dhpmap._options import QueryOptions
 from dhpmap._search import Objects
 from dhpmap._shapes import Box, Region, read_region
-from dhpmap._source import CalledSource
+from dhpmap._source import CalledSource, EventualSource
 from dhpmap._view import Queries
 from dhpmap.v1 import edit_service_pb2
 
@@ -74,3 +74,14 @@ class PastMap(MapView):
 
     def __repr__(self) -> str:
         return f"<{self.resource_name} at revision {self.revision}>"
+
+
+class EventualMap(Queries):
+    """A map as the server that is asked has it; see Map.eventual."""
+
+    def __init__(self, caller: Caller, map_name: str) -> None:
+        super().__init__(EventualSource(caller, map_name))
+        self.resource_name = map_name
+
+    def __repr__(self) -> str:
+        return f"<{self.resource_name}, eventual>"

@@ -7,6 +7,7 @@ from typing import Protocol, TypeVar
 from google.protobuf.message import Message
 
 from dhpmap._call import Caller
+from dhpmap.v1 import query_options_pb2
 
 Answer = TypeVar("Answer", bound=Message)
 
@@ -32,6 +33,16 @@ class CalledSource:
     def answer(self, query: type[Message], request: bytes, *, deadline_s: float | None = None) -> bytes:
         method = query.DESCRIPTOR.name.removesuffix("Request")
         return self.caller.raw(f"QueryService/{method}", request, deadline_s=deadline_s)
+
+
+class EventualSource(CalledSource):
+    """The same of the state that the server which is asked has."""
+
+    def answer(self, query: type[Message], request: bytes, *, deadline_s: float | None = None) -> bytes:
+        # What comes later in a message stands for what comes before.
+        eventual = query()
+        setattr(eventual, "consistency", query_options_pb2.Consistency.EVENTUAL)
+        return super().answer(query, request + eventual.SerializeToString(), deadline_s=deadline_s)
 
 
 def ask(source: Source, request: Message, answer: type[Answer], *, deadline_s: float | None = None) -> Answer:

@@ -59,7 +59,9 @@ MapRegistry::MapRegistry(MapStore& store, OpenMapOptions map_options, const Regi
       options_(options),
       changes_(store, options_.max_watchers),
       surfaces_(options_.surface_bytes),
-      summaries_(store.fleet() == nullptr ? kMaxSummaries : 0) {}
+      summaries_(store.fleet() == nullptr ? kMaxSummaries : 0) {
+  if (Fleet* fleet = store_.fleet()) FollowOthers(*fleet);
+}
 
 Result<std::unique_ptr<MapRegistry>> MapRegistry::Open(MapStore& store, OpenMapOptions map_options,
                                                        const RegistryOptions& options) {

@@ -20,6 +20,7 @@
 #include "server/app/edits/edit_undo.h"
 #include "server/app/edits/map_edits.h"
 #include "server/app/edits/revision_restore.h"
+#include "server/app/follow/followed_maps.h"
 #include "server/app/maps/map_summary.h"
 #include "server/app/maps/outgoing_files.h"
 #include "server/app/maps/running_exports.h"
@@ -38,6 +39,7 @@ struct RegistryOptions {
   std::size_t max_watchers = 1000;
   std::int64_t max_import_bytes = std::int64_t{16} << 30;  ///< limit of an imported file
   int max_imports = 2;                                     ///< concurrent imports
+  std::function<void(const MapInfo&)> on_loaded = {};      ///< called whenever a map has been loaded; may be empty
 };
 
 class IncomingMap;
@@ -115,6 +117,16 @@ class MapRegistry {
   /// the revision. Opens the map if necessary.
   Result<std::shared_ptr<const MapView>> ViewAt(const std::string& name, std::int64_t revision,
                                                 const std::string& field);
+  /// The state of the map that this process has, which may not be the owner's last one: where it is open here, the last
+  /// published one; else that of a copy, which is made if necessary (see FollowedMaps::ViewOf). Without a fleet,
+  /// ViewOf.
+  Result<std::shared_ptr<const MapView>> EventualViewOf(const std::string& name, std::int64_t at_least = 0);
+  /// Whether EventualViewOf has to read the map first.
+  [[nodiscard]] bool MustLoadForEventual(const std::string& name) const;
+  /// Like Get, from the state of EventualViewOf if it is there; reads no map for it.
+  Result<MapSummary> GetEventual(const std::string& name) const;
+  /// Copies of maps that others write; null without a fleet.
+  [[nodiscard]] const FollowedMaps* followed() const { return followed_.get(); }
   /// Stored changes of the maps. Reading them opens no map.
   [[nodiscard]] ChangeFeed& changes() { return changes_; }
   [[nodiscard]] const ChangeFeed& changes() const { return changes_; }
@@ -226,6 +238,9 @@ class MapRegistry {
   Result<HeldName> HoldName(const std::string& name);
   void GiveBack(const std::string& name);
   Result<std::shared_ptr<OpenMap>> Load(const std::string& name, Entry& entry);
+  /// Opens no map, but counts as use. Null if it is not open.
+  std::shared_ptr<OpenMap> UseIfOpen(const std::string& name);
+  void FollowOthers(Fleet& fleet);
   void CloseIfIdle(Entry& entry, Clock::time_point now);
   /// Whether closing may take evicted tiles away from holders of a state of the map.
   enum class Closing { kIfNotViewed, kEvenViewed };
@@ -251,6 +266,7 @@ class MapRegistry {
   ChangeFeed changes_;
   SurfaceCache surfaces_;
   SurfaceKeeper keeper_{surfaces_};
+  std::unique_ptr<FollowedMaps> followed_;  ///< constant; uses those above
   std::atomic<int> num_imports_ = 0;
   const std::shared_ptr<RunningExports> exports_ = RunningExports::Create();
   OutgoingFiles outgoing_{kMaxOutgoing, kOutgoingIdle};

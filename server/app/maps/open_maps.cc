@@ -48,6 +48,8 @@ Result<std::shared_ptr<OpenMap>> MapRegistry::Load(const std::string& name, Entr
   DHPMAP_ASSIGN_OR_RETURN(MapInStore stored, AskStore(name));
   auto open_map = Install(entry, std::move(snapshot), std::move(stored.lost_revisions));
   if (open_map == nullptr) return ShuttingDown();
+  if (followed_ != nullptr) followed_->Drop(name);
+  if (options_.on_loaded) options_.on_loaded(open_map->View()->snapshot().info());
   return open_map;
 }
 
@@ -80,11 +82,13 @@ std::optional<FinishProgress> MapRegistry::FinishingOf(const std::string& name) 
 }
 
 std::shared_ptr<const MapSnapshot> MapRegistry::PresentOf(const MapSnapshot& state) const {
-  const auto open_map = FindOpen(state.info().name);
-  if (open_map == nullptr) return nullptr;
-  auto present = open_map->View()->shared_snapshot();
+  const std::string& name = state.info().name;
+  const auto open_map = FindOpen(name);
+  const auto view = open_map != nullptr ? open_map->View() : followed_ != nullptr ? followed_->Find(name) : nullptr;
+  if (view == nullptr) return nullptr;
+  auto present = view->shared_snapshot();
   if (present->info().history_id != state.info().history_id) return nullptr;
-  auto kept = open_map->history()->StateAt(state.revision());
+  auto kept = open_map != nullptr ? open_map->history()->StateAt(state.revision()) : nullptr;
   return kept != nullptr ? kept : present;
 }
 
@@ -110,6 +114,7 @@ Status MapRegistry::Shutdown() {
   closer_wake_.NotifyAll();
   closer_.Join();
   keeper_.Stop();
+  if (followed_ != nullptr) followed_->Stop();
   Status outcome;
   for (const auto& open_map : OpenMaps()) {
     if (const Status stored = open_map->Stop(); !stored.ok() && open_map->loss().ok()) outcome = stored;
@@ -131,7 +136,7 @@ void MapRegistry::CloserLoop() {
     lock.Unlock();
     TellSafely([this] { CloseLostMaps(); });
     if (Clock::now() >= next) {
-      if (closes_idle) TellSafely([this] { CloseIdleMaps(Clock::now()); });  // what lacks memory is closed next time
+      if (closes_idle) TellSafely([this] { CloseIdleMaps(Clock::now()); });  // if memory has run out, next time
       TellSafely([this] { KeepPagesInBounds(); });
       next = Clock::now() + period;
     }
@@ -190,6 +195,12 @@ std::shared_ptr<OpenMap> MapRegistry::Install(Entry& entry, std::shared_ptr<cons
   const std::string name = snapshot->info().name;
   options.commit.on_stored = [this, name] { changes_.Notify(name); };
   options.on_finishing = options.commit.on_stored;
+  options.commit.on_commit = [this, name, tell = std::move(options.commit.on_commit)](double seconds,
+                                                                                      const Status& outcome) {
+    if (tell) tell(seconds, outcome);
+    // The store has what was served here of another state, see CommitWorker::loss: the map is loaded anew.
+    if (outcome.reason() == Reason("STALE_REVISION")) NoteLoss(name);
+  };
   auto open_map = std::make_shared<OpenMap>(std::move(snapshot), store_, std::move(options));
   const MutexLock lock(mutex_);
   if (is_shut_down_) return nullptr;

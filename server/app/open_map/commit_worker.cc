@@ -40,9 +40,13 @@ Status MapIsDeleted(const StateMarks& committed) {
   return NotFound("map '" + committed.info().name + "' has been deleted").WithReason("MAP_NOT_FOUND");
 }
 
-/// Whether it will never be stored by this process.
-bool IsLoss(const Status& status) {
-  return status.reason() == Reason("NOT_OWNER") || status.reason() == Reason("MAP_NOT_FOUND");
+/// Why nothing more of this open map will ever be stored by this process, or OK. A store that holds another revision
+/// than the last commit left has made a commit whose answer was lost, and which was given up: an edit that the writer
+/// has taken back. Then the map is to be loaded anew, which shows the edit; clients come again as to another owner.
+Status LossBy(const Status& outcome) {
+  if (outcome.reason() == Reason("NOT_OWNER") || outcome.reason() == Reason("MAP_NOT_FOUND")) return CopyOf(outcome);
+  if (outcome.reason() != Reason("STALE_REVISION")) return Status::Ok();
+  return Unavailable("an edit was stored whose answer had been lost: the map is loaded anew").WithReason("NOT_OWNER");
 }
 
 }  // namespace
@@ -239,6 +243,7 @@ void CommitWorker::CommitNewest() {
     return Store(before, after.get(), full ? Durability::kFull : Durability::kNormal,
                  edited != served.end() ? edited->edit.get() : nullptr);
   });
+  const Status lost = LossBy(marks.status());
   if (!is_deleted) {
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
     if (keeper_ && marks.ok() && after != nullptr) TellSafely([&] { keeper_(after); });
@@ -254,15 +259,15 @@ void CommitWorker::CommitNewest() {
     } else if (std::any_of(served.begin(), served.end(), is_unseen)) {
       newest_ = nullptr;
     }
-    if (IsLoss(marks.status())) {
-      loss_ = CopyOf(marks.status());
+    if (!lost.ok()) {
+      loss_ = CopyOf(lost);
       newest_ = nullptr;
     }
     last_outcome_ = CopyOf(marks.status());
     mutex_.Unlock();
   }
   for (const Waiter& waiter : served) {
-    if (waiter.done) TellSafely([&] { waiter.done(marks.status()); });
+    if (waiter.done) TellSafely([&] { waiter.done(lost.ok() ? marks.status() : lost); });
   }
   served.clear();  // freeing these may take long: not under the lock
   before.reset();

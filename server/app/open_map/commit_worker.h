@@ -19,8 +19,8 @@ namespace dhpmap {
 /// during a commit are merged into one commit of the newest snapshot. A failed commit changes nothing: the next one
 /// writes everything since the last stored state. Exceptions of the store count as failures, RESOURCE_EXHAUSTED for
 /// std::bad_alloc, else INTERNAL; exceptions of callbacks are dropped. Once the store says that the map is another
-/// process's (NOT_OWNER) or gone (MAP_NOT_FOUND), nothing more is tried: all that is not stored is dropped.
-/// Thread-safe.
+/// process's (NOT_OWNER) or gone (MAP_NOT_FOUND), or that it holds another state (STALE_REVISION), nothing more is
+/// tried: all that is not stored is dropped. Thread-safe.
 class CommitWorker {
  public:
   using Done = std::function<void(const Status&)>;

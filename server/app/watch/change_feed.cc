@@ -15,8 +15,10 @@ Result<std::unique_ptr<ChangeFeed::Follower>> ChangeFeed::Follow(const std::stri
                              ": try again later")
         .WithReason("TOO_MANY_WATCHERS");
   }
-  channels_[map].followers.insert(follower.get());
+  std::set<Follower*>& followers = channels_[map].followers;
+  followers.insert(follower.get());
   ++num_followers_;
+  if (followers.size() == 1 && on_watched_) on_watched_();
   return follower;
 }
 
@@ -28,6 +30,7 @@ void ChangeFeed::Remove(Follower& follower) {
   if (!channel->second.followers.empty()) return;
   DropKept(channel->second);
   channels_.erase(channel);
+  if (on_watched_) on_watched_();
 }
 
 void ChangeFeed::Notify(const std::string& map) {
@@ -41,6 +44,13 @@ void ChangeFeed::Notify(const std::string& map) {
 std::size_t ChangeFeed::num_followers() const {
   const MutexLock lock(mutex_);
   return num_followers_;
+}
+
+std::vector<std::string> ChangeFeed::WatchedMaps() const {
+  const MutexLock lock(mutex_);
+  std::vector<std::string> maps;
+  for (const auto& channel : channels_) maps.push_back(channel.first);
+  return maps;
 }
 
 void ChangeFeed::DropOldest(Channel& channel) {

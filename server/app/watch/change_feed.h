@@ -9,6 +9,8 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mapping/base/mutex.h"
 #include "storage/store.h"
@@ -58,6 +60,10 @@ class ChangeFeed {
   void Notify(const std::string& map) DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] std::size_t num_followers() const DHPMAP_EXCLUDES(mutex_);
+  /// Maps that have followers, by name.
+  [[nodiscard]] std::vector<std::string> WatchedMaps() const DHPMAP_EXCLUDES(mutex_);
+  /// Called whenever WatchedMaps changes: must be quick and not call the feed. Once, before the first call of Follow.
+  void OnWatched(std::function<void()> on_watched) { on_watched_ = std::move(on_watched); }
 
  private:
   /// A map with followers.
@@ -82,6 +88,7 @@ class ChangeFeed {
 
   MapStore& store_;
   const std::size_t max_followers_;
+  std::function<void()> on_watched_;
   Mutex read_mutex_
       DHPMAP_ACQUIRED_BEFORE(mutex_);  // held while the store is read, so that concurrent watchers read it once
   mutable Mutex mutex_;

@@ -119,17 +119,22 @@ bool IsThere(const std::string& path) {
 
 }  // namespace
 
-Result<KeyFileContent> ReadKeyFile(const std::string& path) {
+Result<PrivateFile> ReadPrivateFile(const std::string& path) {
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0 && errno == ELOOP) return BadFile(path, "is a symbolic link");
   if (file.get() < 0) return SystemFault(path, "cannot be opened");
   struct stat status {};
   if (fstat(file.get(), &status) != 0) return SystemFault(path, "cannot be looked at");
   DHPMAP_RETURN_IF_ERROR(CheckKind(path, status));
-  std::string text;
-  DHPMAP_RETURN_IF_ERROR(ReadAll(path, file.get(), text));
-  DHPMAP_ASSIGN_OR_RETURN(auto records, RecordsOf(path, text));
-  return KeyFileContent{.records = std::move(records), .state = StateOf(status)};
+  PrivateFile content{.text = {}, .state = StateOf(status)};
+  DHPMAP_RETURN_IF_ERROR(ReadAll(path, file.get(), content.text));
+  return content;
+}
+
+Result<KeyFileContent> ReadKeyFile(const std::string& path) {
+  DHPMAP_ASSIGN_OR_RETURN(const PrivateFile file, ReadPrivateFile(path));
+  DHPMAP_ASSIGN_OR_RETURN(auto records, RecordsOf(path, file.text));
+  return KeyFileContent{.records = std::move(records), .state = file.state};
 }
 
 Result<FileState> StateOfKeyFile(const std::string& path) {

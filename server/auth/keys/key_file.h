@@ -19,13 +19,20 @@ struct FileState {
   friend bool operator==(const FileState&, const FileState&) = default;
 };
 
+struct PrivateFile {
+  std::string text;
+  FileState state;
+};
+/// A file with secrets. FAILED_PRECONDITION, reason BAD_KEY_FILE: it is not there, a symbolic link, no plain file, of
+/// another user, open to others than its owner (0600), or larger than 16 MiB.
+Result<PrivateFile> ReadPrivateFile(const std::string& path);
+
 struct KeyFileContent {
   std::vector<KeyRecord> records;
   FileState state;
 };
 
-/// FAILED_PRECONDITION, reason BAD_KEY_FILE, if the file is missing, a symbolic link, not a regular file, owned by
-/// another user, accessible to others than its owner (0600), too large, or has a malformed line. Then no key is taken.
+/// Errors as in ReadPrivateFile, also for a malformed line: then no key is taken.
 Result<KeyFileContent> ReadKeyFile(const std::string& path);
 /// The state of the file now; errors as in ReadKeyFile.
 Result<FileState> StateOfKeyFile(const std::string& path);

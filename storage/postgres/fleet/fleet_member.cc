@@ -112,8 +112,7 @@ Status FleetMember::GiveUp(const std::string& map, std::int64_t to_server) {
   if (to_server != 0) {
     const auto row = peers_.Find(to_server);
     if (!row || row->is_draining || !IsAlive(peers_.OpinionOf(to_server).verdict)) {
-      return FailedPrecondition("map '" + map + "' stays where it is: that server is not there, or takes no maps")
-          .WithReason("OWNER_UNREACHABLE");
+      return FailedPrecondition("map '" + map + "' stays where it is: that server is not there, or takes no maps");
     }
   }
   const MutexLock lock(ours->mutex);

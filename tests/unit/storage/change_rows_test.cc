@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows of changes in a database: what becomes of damaged ones, and of those of another history.
+#include <fstream>
+
 #include "storage/codec/change_codec.h"
-#include "tests/unit/storage/sqlite_fixture.h"
+#include "tests/unit/storage/any_store_fixture.h"
 
 namespace dhpmap {
 namespace {
 
+using testing::AnyStoreTest;
 using testing::ExpectDiscreet;
-using testing::SqliteStoreTest;
+using testing::StoreKind;
 
-class ChangeRowsTest : public SqliteStoreTest {
+class ChangeRowsTest : public AnyStoreTest {
  protected:
   void CommitSome(Map& map, int count) {
     for (int n = 0; n < count; ++n) {
@@ -30,18 +33,20 @@ class ChangeRowsTest : public SqliteStoreTest {
   }
 };
 
-TEST_F(ChangeRowsTest, ADamagedOneIsSeenAndDoesTheMapNoHarm) {
+/// By SQL of SQLite's own.
+class ChangeRowsTestInAFile : public ChangeRowsTest {};
+
+TEST_P(ChangeRowsTest, ADamagedOneIsSeenAndDoesTheMapNoHarm) {
   const std::string middle = " WHERE last_revision = 3";
   for (const std::string& change : std::vector<std::string>{
-           "UPDATE changes SET blob = CAST(substr(blob, 1, 9) || x'5A' || substr(blob, 11) AS BLOB)" + middle,
+           "UPDATE changes SET blob = substr(blob, 1, 9)" + middle,
            "UPDATE changes SET blob = (SELECT blob FROM changes WHERE last_revision = 4)" + middle,
            "UPDATE changes SET first_revision = 2" + middle, "UPDATE changes SET previous_revision = 1" + middle,
            "UPDATE changes SET time_ns = 7" + middle, "UPDATE changes SET checksum = checksum + 1" + middle,
            "UPDATE changes SET checksum_version = 9" + middle, "DELETE FROM changes" + middle,
            "UPDATE changes SET last_revision = 77" + middle, "DELETE FROM changes WHERE last_revision = 6"}) {
     SCOPED_TRACE(change);
-    std::filesystem::remove(Path());
-    Open();
+    BeginAnew();
     const auto map = CreateSample("house");
     CommitSome(*map, 5);
     ASSERT_TRUE(ReadAll(0).ok());
@@ -51,7 +56,7 @@ TEST_F(ChangeRowsTest, ADamagedOneIsSeenAndDoesTheMapNoHarm) {
     const Status read = ReadAll(0);
     EXPECT_EQ(read.code(), StatusCode::kDataLoss) << read.ToString();
     EXPECT_EQ(read.reason(), Reason("DAMAGED_CHANGES"));
-    ExpectDiscreet(read, Path());
+    ExpectDiscreet(read, kept_.Path());
     ExpectStored(*map->published());
     CommitSome(*map, 2);
     ExpectStored(*map->published());
@@ -60,13 +65,12 @@ TEST_F(ChangeRowsTest, ADamagedOneIsSeenAndDoesTheMapNoHarm) {
   }
 }
 
-TEST_F(ChangeRowsTest, WithoutAnIntactLogTheyBeginAnew) {
+TEST_P(ChangeRowsTest, WithoutAnIntactLogTheyBeginAnew) {
   for (const char* change : {"UPDATE change_logs SET complete_after = 1", "UPDATE change_logs SET num_bytes = 1",
                              "UPDATE change_logs SET history_id = 1", "UPDATE change_logs SET last_revision = 9",
                              "DELETE FROM change_logs"}) {
     SCOPED_TRACE(change);
-    std::filesystem::remove(Path());
-    Open();
+    BeginAnew();
     const auto map = CreateSample("house");
     CommitSome(*map, 5);
     store_ = nullptr;
@@ -84,7 +88,7 @@ TEST_F(ChangeRowsTest, WithoutAnIntactLogTheyBeginAnew) {
   }
 }
 
-TEST_F(ChangeRowsTest, AMapThatGoesOnFromABackupTellsNothingOfBefore) {
+TEST_P(ChangeRowsTestInAFile, AMapThatGoesOnFromABackupTellsNothingOfBefore) {
   Open();
   const auto map = CreateSample("house");
   CommitSome(*map, 3);
@@ -93,8 +97,8 @@ TEST_F(ChangeRowsTest, AMapThatGoesOnFromABackupTellsNothingOfBefore) {
   std::string bytes;
   for (std::string part = *(*backup)->Read(1 << 20); !part.empty(); part = *(*backup)->Read(1 << 20)) bytes += part;
   store_ = nullptr;
-  std::filesystem::remove(Path() + "-wal");
-  WriteFile(bytes);
+  std::filesystem::remove(kept_.Path() + "-wal");
+  std::ofstream(kept_.Path(), std::ios::binary) << bytes;
   Open();
   const auto list = store_->ListChanges("house", 4, 1);
   ASSERT_TRUE(list.ok()) << list.status().ToString();
@@ -109,7 +113,7 @@ TEST_F(ChangeRowsTest, AMapThatGoesOnFromABackupTellsNothingOfBefore) {
   EXPECT_EQ(ReadAll(3).reason(), Reason("COMPACTED"));
 }
 
-TEST_F(ChangeRowsTest, TheyGoWithTheMap) {
+TEST_P(ChangeRowsTestInAFile, TheyGoWithTheMap) {
   Open();
   CommitSome(*CreateSample("house"), 3);
   CommitSome(*CreateSample("other"), 3);
@@ -118,7 +122,7 @@ TEST_F(ChangeRowsTest, TheyGoWithTheMap) {
   EXPECT_EQ(Query("SELECT count(*) FROM change_logs"), 1);
 }
 
-TEST_F(ChangeRowsTest, WhatACrashLeavesOutIsNoGap) {
+TEST_P(ChangeRowsTest, WhatACrashLeavesOutIsNoGap) {
   Open();
   const auto map = CreateSample("house");
   CommitSome(*map, 1);
@@ -222,6 +226,9 @@ TEST(ChangeCodec, OnlyRegionsMakeABlobThatVersionsBeforeThemCannotRead) {
   ASSERT_TRUE(DecodeChange(EncodeChange(change), read).ok());
   EXPECT_TRUE(read.regions.empty());
 }
+
+DHPMAP_ON_STORES_THAT_KEEP(ChangeRowsTest);
+INSTANTIATE_TEST_SUITE_P(Stores, ChangeRowsTestInAFile, ::testing::Values(StoreKind::kSqlite), testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

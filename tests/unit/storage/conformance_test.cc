@@ -274,7 +274,7 @@ TEST_P(MapStoreTest, ServesReadersWhileItCommits) {
 
 INSTANTIATE_TEST_SUITE_P(Stores, MapStoreTest,
                          ::testing::Values(StoreKind::kMemory, StoreKind::kSqlite, StoreKind::kPaged,
-                                           StoreKind::kPostgres),
+                                           StoreKind::kPostgres, StoreKind::kPagedPostgres),
                          testing::NameOfKind);
 
 }  // namespace

@@ -5,14 +5,15 @@
 #include <string>
 #include <utility>
 
-#include "tests/unit/storage/sqlite_fixture.h"
+#include "tests/unit/storage/any_store_fixture.h"
 
 namespace dhpmap {
 namespace {
 
-using testing::SqliteStoreTest;
+using testing::AnyStoreTest;
+using testing::StoreKind;
 
-class EditHistoryTest : public SqliteStoreTest {
+class EditHistoryTest : public AnyStoreTest {
  protected:
   /// Publishes what was done to the map, and stores it as an edit.
   void Commit(Map& map) {
@@ -33,7 +34,10 @@ class EditHistoryTest : public SqliteStoreTest {
   }
 };
 
-TEST_F(EditHistoryTest, IsWholeAndSaysItsSizeWhateverAnEditDid) {
+/// By SQL of SQLite's own.
+class EditHistoryTestInAFile : public EditHistoryTest {};
+
+TEST_P(EditHistoryTest, IsWholeAndSaysItsSizeWhateverAnEditDid) {
   Open();
   const auto map = CreateSample("house");
   for (int n = 0; n < 30; ++n) {
@@ -50,16 +54,17 @@ TEST_F(EditHistoryTest, IsWholeAndSaysItsSizeWhateverAnEditDid) {
     ASSERT_TRUE(store_->LoadEdit("house", map->info().revision).ok());
   }
   EXPECT_EQ(Query("SELECT count(*) FROM edit_histories"), 30);
-  EXPECT_EQ(Query("SELECT count(*) FROM edit_histories h WHERE num_bytes <> length(h.blob) + (SELECT ifnull(sum(64 + "
-                  "ifnull(length(b.blob), 0) + ifnull(length(a.blob), 0)), 0) FROM edit_tiles t LEFT JOIN tile_blobs b "
-                  "ON b.blob_key = before_key LEFT JOIN tile_blobs a ON a.blob_key = after_key WHERE t.edit_key = "
-                  "h.edit_key)"),
-            0);
+  EXPECT_EQ(
+      Query("SELECT count(*) FROM edit_histories h WHERE num_bytes <> length(h.blob) + (SELECT coalesce(sum(64 + "
+            "coalesce(length(b.blob), 0) + coalesce(length(a.blob), 0)), 0) FROM edit_tiles t LEFT JOIN tile_blobs b "
+            "ON b.blob_key = before_key LEFT JOIN tile_blobs a ON a.blob_key = after_key WHERE t.edit_key = "
+            "h.edit_key)"),
+      0);
   EXPECT_GT(Query("SELECT count(*) FROM edit_tiles WHERE submap_id = -1"), 0) << "some of the map's own";
   ExpectStored(*map->published());
 }
 
-TEST_F(EditHistoryTest, ACloneAndAMoveTakeRowsAndNoBlobs) {
+TEST_P(EditHistoryTestInAFile, ACloneAndAMoveTakeRowsAndNoBlobs) {
   constexpr int kTiles = 300;
   Open();
   const auto map = CreateWide(kTiles);
@@ -75,7 +80,7 @@ TEST_F(EditHistoryTest, ACloneAndAMoveTakeRowsAndNoBlobs) {
   EXPECT_EQ(Query("SELECT max(num_more) FROM shared_blobs"), 2);
 }
 
-TEST_F(EditHistoryTest, AnEditDeletesFewTilesOfOthersAndALaterOneTheRest) {
+TEST_P(EditHistoryTest, AnEditDeletesFewTilesOfOthersAndALaterOneTheRest) {
   constexpr std::int64_t kTiles = 100;
   constexpr int kClones = 8;
   Open();
@@ -85,7 +90,7 @@ TEST_F(EditHistoryTest, AnEditDeletesFewTilesOfOthersAndALaterOneTheRest) {
     Commit(*map);
   }
   ASSERT_EQ(Query("SELECT count(*) FROM edit_tiles"), kClones * kTiles);
-  OpenWith({.max_histories = 1});
+  Open({.edits = {.max_histories = 1}});
   std::int64_t num_tiles = kClones * kTiles;
   for (int n = 0; n < kClones && num_tiles > 0; ++n) {
     map->FindMutable(SubmapId(1))->mutable_info().display_name = "name " + std::to_string(n);
@@ -100,17 +105,20 @@ TEST_F(EditHistoryTest, AnEditDeletesFewTilesOfOthersAndALaterOneTheRest) {
   EXPECT_EQ(store_->VerifyMap("wide", false, {})->num_faults, 0);
 }
 
-TEST_F(EditHistoryTest, OneThatIsLargeGoesAllTheSame) {
+TEST_P(EditHistoryTest, OneThatIsLargeGoesAllTheSame) {
   Open();
   constexpr int kTiles = 2 * static_cast<int>(kMostTilesTrimmed);
   const auto map = CreateWide(kTiles);
   map->Clone(SubmapId(1));
   Commit(*map);
-  OpenWith({.max_histories = 1});
+  Open({.edits = {.max_histories = 1}});
   map->FindMutable(SubmapId(1))->mutable_info().display_name = "another";
   Commit(*map);
   EXPECT_EQ(Query("SELECT count(*) FROM edit_tiles"), 0);
 }
+
+DHPMAP_ON_STORES_THAT_KEEP(EditHistoryTest);
+INSTANTIATE_TEST_SUITE_P(Stores, EditHistoryTestInAFile, ::testing::Values(StoreKind::kSqlite), testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

@@ -2,19 +2,20 @@
 // Regions that a map keeps clear, as both stores keep them.
 #include <gtest/gtest.h>
 
+#include "tests/unit/storage/any_store_fixture.h"
 #include "tests/unit/storage/map_fixtures.h"
-#include "tests/unit/storage/sqlite_fixture.h"
 
 namespace dhpmap {
 namespace {
 
+using testing::AnyStoreTest;
 using testing::ExpectSameMap;
-using testing::SqliteStoreTest;
+using testing::StoreKind;
 
 const BoundingSphere kSphere{{-0.0, 1e-300, 1.0 / 3}, 0.75};
 const Eigen::AlignedBox3d kBox(Eigen::Vector3d(-1, -0.0, -2.0 / 3), Eigen::Vector3d(1, 2, 3));
 
-class KeptClearStoreTest : public SqliteStoreTest {
+class KeptClearStoreTest : public AnyStoreTest {
  protected:
   /// Adds, replaces or lifts some, and commits that.
   void Change(MapStore& store, Map& map, int step) {
@@ -30,7 +31,10 @@ class KeptClearStoreTest : public SqliteStoreTest {
   }
 };
 
-TEST_F(KeptClearStoreTest, ComeBackToTheBitFromBothStores) {
+/// By SQL of SQLite's own.
+class KeptClearStoreTestInAFile : public KeptClearStoreTest {};
+
+TEST_P(KeptClearStoreTest, ComeBackToTheBitFromBothStores) {
   Open();
   const auto memory = MakeMemoryStore();
   Map map(generator_.Info("a"));
@@ -53,12 +57,12 @@ TEST_F(KeptClearStoreTest, ComeBackToTheBitFromBothStores) {
   EXPECT_TRUE(IsSame(box->region, kBox));
 }
 
-TEST_F(KeptClearStoreTest, GoWithTheirMapAndIntoABackup) {
+TEST_P(KeptClearStoreTestInAFile, GoWithTheirMapAndIntoABackup) {
   Open();
   Map map(generator_.Info("a"));
   ASSERT_TRUE(map.mutable_info().kept_clear.Add({"door", kSphere}).ok());
   ASSERT_TRUE(store_->CreateMap(*map.Publish(1)).ok());
-  const std::string copy = Path() + ".copy";
+  const std::string copy = kept_.Path() + ".copy";
   {
     auto backup = store_->Backup({});
     ASSERT_TRUE(backup.ok()) << backup.status().ToString();
@@ -78,7 +82,7 @@ TEST_F(KeptClearStoreTest, GoWithTheirMapAndIntoABackup) {
   EXPECT_TRUE((*loaded)->info().kept_clear == map.info().kept_clear);
 }
 
-TEST_F(KeptClearStoreTest, DamageIsSeen) {
+TEST_P(KeptClearStoreTest, DamageIsSeen) {
   Open();
   Map map(generator_.Info("a"));
   ASSERT_TRUE(map.mutable_info().kept_clear.Add({"door", kSphere}).ok());
@@ -92,6 +96,9 @@ TEST_F(KeptClearStoreTest, DamageIsSeen) {
     EXPECT_EQ(store_->LoadMap("a").status().code(), StatusCode::kDataLoss);
   }
 }
+
+DHPMAP_ON_STORES_THAT_KEEP(KeptClearStoreTest);
+INSTANTIATE_TEST_SUITE_P(Stores, KeptClearStoreTestInAFile, ::testing::Values(StoreKind::kSqlite), testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

@@ -17,8 +17,8 @@
 
 namespace dhpmap::testing {
 
-/// What holds the maps. kPaged: SQLite, where voxels stay until they are read.
-enum class StoreKind { kMemory, kSqlite, kPaged, kPostgres };
+/// What holds the maps. In the paged ones voxels stay until they are read.
+enum class StoreKind { kMemory, kSqlite, kPaged, kPostgres, kPagedPostgres };
 
 /// Those that the suite of what every MapStore promises runs on, and all that keep their maps when they are closed.
 inline std::vector<StoreKind> AllStores() { return {StoreKind::kMemory, StoreKind::kSqlite, StoreKind::kPostgres}; }
@@ -30,6 +30,7 @@ inline std::string NameOfKind(const ::testing::TestParamInfo<StoreKind>& kind) {
     case StoreKind::kSqlite: return "Sqlite";
     case StoreKind::kPaged: return "Paged";
     case StoreKind::kPostgres: return "Postgres";
+    case StoreKind::kPagedPostgres: return "PagedPostgres";
   }
   return "";
 }
@@ -46,7 +47,7 @@ class KeptStore {
   explicit KeptStore(StoreKind kind) : kind_(kind) { BeginAnew(); }
 
   /// False: the test is to be skipped.
-  [[nodiscard]] bool IsThere() const { return kind_ != StoreKind::kPostgres || PostgresCluster::Get() != nullptr; }
+  [[nodiscard]] bool IsThere() const { return !IsPostgres() || PostgresCluster::Get() != nullptr; }
 
   /// Opens a store on what the last one left; `store` is closed before. One in memory goes on, with its own options.
   void Open(std::unique_ptr<MapStore>& store, const KeptStoreOptions& options = {}) {
@@ -56,24 +57,32 @@ class KeptStore {
       return;
     }
     store = nullptr;
-    auto opened = kind_ == StoreKind::kPostgres ? OpenPostgres(options) : OpenSqlite(options);
+    auto opened = IsPostgres() ? OpenPostgres(options) : OpenSqlite(options);
     ASSERT_TRUE(opened.ok()) << opened.status().ToString();
     store = std::move(opened).value();
   }
   /// What is opened next is empty.
   void BeginAnew() {
     std::filesystem::remove(Path());
-    if (kind_ == StoreKind::kPostgres && IsThere()) schema_ = PostgresCluster::Get()->NewSchema();
+    if (IsPostgres() && IsThere()) schema_ = PostgresCluster::Get()->NewSchema();
   }
   [[nodiscard]] const std::string& schema() const { return schema_; }
+  /// Of the files that belong to it.
+  [[nodiscard]] std::string Folder() const { return folder_.path().string(); }
+
+  /// Of SQLite.
+  [[nodiscard]] std::string Path() const { return (folder_.path() / "maps.db").string(); }
+  [[nodiscard]] StoreKind kind() const { return kind_; }
 
  private:
-  [[nodiscard]] std::string Path() const { return (folder_.path() / "maps.db").string(); }
+  [[nodiscard]] bool IsPostgres() const { return kind_ == StoreKind::kPostgres || kind_ == StoreKind::kPagedPostgres; }
   [[nodiscard]] Result<std::unique_ptr<MapStore>> OpenPostgres(const KeptStoreOptions& options) const {
     return OpenPostgresStore(PostgresCluster::Get()->Url(), {.schema = schema_,
                                                              .changes = options.changes,
                                                              .edits = options.edits,
                                                              .max_connections = 4,
+                                                             .pages_tiles = kind_ == StoreKind::kPagedPostgres,
+                                                             .transit_folder = Folder(),
                                                              .passing_time_ns = options.passing_time_ns});
   }
   [[nodiscard]] Result<std::unique_ptr<MapStore>> OpenSqlite(const KeptStoreOptions& options) const {

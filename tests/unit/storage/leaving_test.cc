@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an edit has moved, and what that left: stored after the edit, and lost by nobody who comes between.
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "storage/rows/map_rows.h"
-#include "tests/unit/storage/sqlite_fixture.h"
+#include "tests/unit/storage/any_store_fixture.h"
 
 namespace dhpmap {
 namespace {
 
-namespace fs = std::filesystem;
+using testing::AnyStoreTest;
 using testing::ExpectSameMap;
 using testing::ExpectSameVoxels;
-using testing::SqliteStoreTest;
+using testing::StoreKind;
 
 constexpr char kLeaving[] = "SELECT leaving_submap_id FROM maps";
 constexpr char kVacatedTiles[] = "SELECT count(*) FROM tiles WHERE layer = 5";
 /// Histories that say of their size what is not so.
 constexpr char kWrongSizes[] =
-    "SELECT count(*) FROM edit_histories h WHERE num_bytes <> length(h.blob) + (SELECT ifnull(sum(64 + "
-    "ifnull(length(b.blob), 0) + ifnull(length(a.blob), 0)), 0) FROM edit_tiles t LEFT JOIN tile_blobs b ON b.blob_key "
+    "SELECT count(*) FROM edit_histories h WHERE num_bytes <> length(h.blob) + (SELECT coalesce(sum(64 + "
+    "coalesce(length(b.blob), 0) + coalesce(length(a.blob), 0)), 0) FROM edit_tiles t LEFT JOIN tile_blobs b ON "
+    "b.blob_key "
     "= before_key LEFT JOIN tile_blobs a ON a.blob_key = after_key WHERE t.edit_key = h.edit_key)";
 
-class LeavingTest : public SqliteStoreTest {
+class LeavingTest : public AnyStoreTest {
  protected:
   /// A map with two slabs of three tiles each, seen from above, where nobody has moved anything yet.
   void Create() {
@@ -90,7 +90,11 @@ class LeavingTest : public SqliteStoreTest {
   std::unique_ptr<Map> map_;
 };
 
-TEST_F(LeavingTest, AMoveIsStoredWithoutWhatItLeftAndTheNextCommitWritesThat) {
+/// By SQL of SQLite's own.
+class LeavingTestInAFile : public LeavingTest {};
+class LeavingTestPaged : public LeavingTest {};
+
+TEST_P(LeavingTest, AMoveIsStoredWithoutWhatItLeftAndTheNextCommitWritesThat) {
   Open();
   Create();
   const std::int64_t num_blobs = Query("SELECT count(*) FROM tile_blobs");
@@ -107,7 +111,7 @@ TEST_F(LeavingTest, AMoveIsStoredWithoutWhatItLeftAndTheNextCommitWritesThat) {
   ExpectAllIsWritten(*moved);
 }
 
-TEST_F(LeavingTest, WhatSeveralObjectsOfOneEditLeaveInTheSameTilesIsWrittenAndUndone) {
+TEST_P(LeavingTestInAFile, WhatSeveralObjectsOfOneEditLeaveInTheSameTilesIsWrittenAndUndone) {
   Open();
   Create();
   const auto before = map_->published();
@@ -134,7 +138,7 @@ TEST_F(LeavingTest, WhatSeveralObjectsOfOneEditLeaveInTheSameTilesIsWrittenAndUn
   EXPECT_TRUE(CommitEdit(*moved, moved, renamed).ok());
 }
 
-TEST_F(LeavingTest, ACommitOfALaterStateWritesItToo) {
+TEST_P(LeavingTest, ACommitOfALaterStateWritesItToo) {
   Open();
   Create();
   const auto moved = MoveAndStore(SubmapId(1));
@@ -149,29 +153,23 @@ TEST_F(LeavingTest, ACommitOfALaterStateWritesItToo) {
   ExpectKeptFor(moved->revision(), *moved->vacated());
 }
 
-TEST_F(LeavingTest, WhoOpensTheStoreBetweenTheTwoGoesOn) {
-  for (const bool pages : {false, true}) {
-    SCOPED_TRACE(pages ? "leaving voxels on the disk" : "as a whole");
-    fs::remove(Path());
-    pages_tiles_ = pages;
-    Open();
-    Create();
-    const auto moved = MoveAndStore(SubmapId(2));
-    Open();
-    const auto loaded = store_->LoadMap("house");
-    ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
-    EXPECT_EQ((*loaded)->leaving(), SubmapId(2));
-    ExpectSameMap(*moved, **loaded);
-    map_ = std::make_unique<Map>(*loaded);
-    map_->FindMutable(SubmapId(1))->mutable_info().display_name = "another";
-    const auto later = map_->Publish(3);
-    ASSERT_TRUE(store_->Commit(Lacking(**loaded), *later, Durability::kNormal).ok());
-    ExpectAllIsWritten(*later);
-    ExpectKeptFor(moved->revision(), *moved->vacated());
-  }
+TEST_P(LeavingTest, WhoOpensTheStoreBetweenTheTwoGoesOn) {
+  Create();
+  const auto moved = MoveAndStore(SubmapId(2));
+  Open();
+  const auto loaded = store_->LoadMap("house");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
+  EXPECT_EQ((*loaded)->leaving(), SubmapId(2));
+  ExpectSameMap(*moved, **loaded);
+  map_ = std::make_unique<Map>(*loaded);
+  map_->FindMutable(SubmapId(1))->mutable_info().display_name = "another";
+  const auto later = map_->Publish(3);
+  ASSERT_TRUE(store_->Commit(Lacking(**loaded), *later, Durability::kNormal).ok());
+  ExpectAllIsWritten(*later);
+  ExpectKeptFor(moved->revision(), *moved->vacated());
 }
 
-TEST_F(LeavingTest, AnEditComesOnlyAfterWhatTheOneBeforeHasLeft) {
+TEST_P(LeavingTest, AnEditComesOnlyAfterWhatTheOneBeforeHasLeft) {
   Open();
   Create();
   const auto first = MoveAndStore(SubmapId(1));
@@ -187,13 +185,13 @@ TEST_F(LeavingTest, AnEditComesOnlyAfterWhatTheOneBeforeHasLeft) {
   ExpectKeptFor(first->revision(), *first->vacated());
 }
 
-TEST_F(LeavingTest, ANumberThatIsNoSubmapsMeansNothingAndKeepsNoEditOff) {
+TEST_P(LeavingTestInAFile, ANumberThatIsNoSubmapsMeansNothingAndKeepsNoEditOff) {
   Open();
   Create();
   const auto before = map_->published();
   store_ = nullptr;
   {
-    auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadWrite, 1000);
+    auto database = sqlite::Database::Open(kept_.Path(), sqlite::OpenMode::kReadWrite, 1000);
     ASSERT_TRUE(database.ok());
     const auto head = ReadMapHead(*database, "house");
     ASSERT_TRUE(head.ok());
@@ -212,7 +210,7 @@ TEST_F(LeavingTest, ANumberThatIsNoSubmapsMeansNothingAndKeepsNoEditOff) {
   EXPECT_EQ(Query(kLeaving), 1);
 }
 
-TEST_F(LeavingTest, ARepairThatDropsTheObjectForgetsItsNumber) {
+TEST_P(LeavingTest, ARepairThatDropsTheObjectForgetsItsNumber) {
   Open();
   Create();
   MoveAndStore(SubmapId(1));
@@ -224,7 +222,7 @@ TEST_F(LeavingTest, ARepairThatDropsTheObjectForgetsItsNumber) {
   EXPECT_EQ(Query(kLeaving), -1);
 }
 
-TEST_F(LeavingTest, AFileThatGoesOutBetweenTheTwoHasIt) {
+TEST_P(LeavingTest, AFileThatGoesOutBetweenTheTwoHasIt) {
   Open();
   Create();
   const auto moved = MoveAndStore(SubmapId(1));
@@ -253,8 +251,8 @@ TEST_F(LeavingTest, AFileThatGoesOutBetweenTheTwoHasIt) {
   ExpectSameVoxels(*moved->vacated(), *(*store_->LoadMap("copy"))->vacated());
 }
 
-TEST_F(LeavingTest, NothingThatUndoesItNeedBeKept) {
-  OpenWith({.max_histories = 0});
+TEST_P(LeavingTest, NothingThatUndoesItNeedBeKept) {
+  Open({.edits = {.max_histories = 0}});
   Create();
   const auto moved = MoveAndStore(SubmapId(1));
   ASSERT_TRUE(store_->Commit(Lacking(*moved), *moved, Durability::kNormal).ok());
@@ -263,8 +261,8 @@ TEST_F(LeavingTest, NothingThatUndoesItNeedBeKept) {
   EXPECT_EQ(store_->VerifyMap("house", false, {})->num_faults, 0);
 }
 
-TEST_F(LeavingTest, WhatIsTooLargeWithItIsNotKept) {
-  OpenWith({.max_history_bytes = 400});
+TEST_P(LeavingTest, WhatIsTooLargeWithItIsNotKept) {
+  Open({.edits = {.max_history_bytes = 400}});
   Create();
   const auto moved = MoveAndStore(SubmapId(1));
   ASSERT_TRUE(store_->LoadEdit("house", moved->revision()).ok());
@@ -274,8 +272,7 @@ TEST_F(LeavingTest, WhatIsTooLargeWithItIsNotKept) {
   EXPECT_EQ(store_->VerifyMap("house", false, {})->num_faults, 0);
 }
 
-TEST_F(LeavingTest, AnObjectThatCannotBeReadLeavesNothingAndTheMapGoesOn) {
-  pages_tiles_ = true;
+TEST_P(LeavingTestPaged, AnObjectThatCannotBeReadLeavesNothingAndTheMapGoesOn) {
   Open();
   Create();
   Open();
@@ -289,6 +286,12 @@ TEST_F(LeavingTest, AnObjectThatCannotBeReadLeavesNothingAndTheMapGoesOn) {
   ASSERT_TRUE(store_->Commit(Lacking(*moved), *map_->Publish(3), Durability::kNormal).ok());
   EXPECT_EQ(Query(kLeaving), -1);
 }
+
+INSTANTIATE_TEST_SUITE_P(Stores, LeavingTest,
+                         ::testing::Values(StoreKind::kSqlite, StoreKind::kPaged, StoreKind::kPostgres),
+                         testing::NameOfKind);
+INSTANTIATE_TEST_SUITE_P(Stores, LeavingTestPaged, ::testing::Values(StoreKind::kPaged), testing::NameOfKind);
+INSTANTIATE_TEST_SUITE_P(Stores, LeavingTestInAFile, ::testing::Values(StoreKind::kSqlite), testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

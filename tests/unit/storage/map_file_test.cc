@@ -11,45 +11,20 @@
 #include "tests/support/eventually.h"
 #include "tests/support/places.h"
 #include "tests/unit/storage/disk_fault.h"
+#include "tests/unit/storage/map_transfer.h"
 #include "tests/unit/storage/sqlite_fixture.h"
 
 namespace dhpmap {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::DiskFault;
 using testing::ExpectDiscreet;
 using testing::ExpectSameMap;
+using testing::Export;
+using testing::Import;
 using testing::SqliteStoreTest;
-
-std::string AllOf(StoreBackup& file) {
-  std::string bytes;
-  for (;;) {
-    const auto piece = file.Read(10'000);
-    EXPECT_TRUE(piece.ok());
-    if (!piece.ok() || piece->empty()) return bytes;
-    bytes += *piece;
-  }
-}
-
-std::string Export(MapStore& store, const std::string& name) {
-  const auto file = store.ExportMap(name, {});
-  EXPECT_TRUE(file.ok()) << file.status().ToString();
-  return file.ok() ? AllOf(**file) : "";
-}
-
-Result<std::string> Import(MapStore& store, const std::string& bytes, const std::string& name = "") {
-  auto import = store.ImportMap();
-  if (!import.ok()) return import.status();
-  for (std::size_t at = 0; at < bytes.size(); at += 7'000) {
-    DHPMAP_RETURN_IF_ERROR((*import)->Write(std::string_view(bytes).substr(at, 7'000)));
-  }
-  DHPMAP_ASSIGN_OR_RETURN(std::string new_name, (*import)->LookThrough({}));
-  if (!name.empty()) new_name = name;
-  DHPMAP_RETURN_IF_ERROR((*import)->Bring({}));
-  DHPMAP_RETURN_IF_ERROR((*import)->Add(new_name));
-  return new_name;
-}
 
 /// The start of a statement to which `n (i)` has the numbers from 1 on.
 std::string Counted(int count) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What became of merged submaps, and what is known of pairs, is stored with the frames or edits that it comes from.
-#include "tests/unit/storage/sqlite_fixture.h"
+#include "tests/unit/storage/any_store_fixture.h"
 
 namespace dhpmap {
 namespace {
 
-using testing::SqliteStoreTest;
+using testing::AnyStoreTest;
+using testing::StoreKind;
 
-class StoredObjectsTest : public SqliteStoreTest {
+class StoredObjectsTest : public AnyStoreTest {
  protected:
   /// Commits the map with `change` made, and nothing else but a frame more.
   template <typename Change>
@@ -20,7 +21,10 @@ class StoredObjectsTest : public SqliteStoreTest {
   }
 };
 
-TEST_F(StoredObjectsTest, ComeBackAfterARestartWithEveryChainResolved) {
+/// By SQL of SQLite's own.
+class StoredObjectsTestInAFile : public StoredObjectsTest {};
+
+TEST_P(StoredObjectsTest, ComeBackAfterARestartWithEveryChainResolved) {
   Open();
   const auto map = CreateSample("house");
   Commit(*map, [](MapInfo& info) { info.merged.Add(SubmapId(60), SubmapId(50)); });
@@ -34,7 +38,7 @@ TEST_F(StoredObjectsTest, ComeBackAfterARestartWithEveryChainResolved) {
   EXPECT_EQ(stored->info.pairs.Of(SubmapId(3), SubmapId(1)).verdict, PairVerdict::kMustBeOne);
 }
 
-TEST_F(StoredObjectsTest, OnlyPairsThatChangedAreWritten) {
+TEST_P(StoredObjectsTestInAFile, OnlyPairsThatChangedAreWritten) {
   Open();
   const auto map = CreateSample("house");
   Tamper(
@@ -53,7 +57,7 @@ TEST_F(StoredObjectsTest, OnlyPairsThatChangedAreWritten) {
   ExpectStored(*map->published());
 }
 
-TEST_F(StoredObjectsTest, AnyChangeBehindOurBackIsDamage) {
+TEST_P(StoredObjectsTest, AnyChangeBehindOurBackIsDamage) {
   for (const char* change :
        {"UPDATE merged_ids SET into_id = into_id + 1", "DELETE FROM merged_ids WHERE merged_id = 77",
         "INSERT INTO merged_ids SELECT map_key, 5, 1 FROM maps", "UPDATE object_pairs SET evidence = evidence + 1",
@@ -61,8 +65,7 @@ TEST_F(StoredObjectsTest, AnyChangeBehindOurBackIsDamage) {
         "DELETE FROM object_pairs", "INSERT INTO object_pairs SELECT map_key, 7, 8, 2, 0 FROM maps",
         "UPDATE maps SET merged_checksum = 0", "UPDATE maps SET pairs_checksum = 0",
         "UPDATE maps SET checksum_version = 4"}) {
-    std::filesystem::remove(Path());
-    Open();
+    BeginAnew();
     CreateSample("house");
     store_ = nullptr;
     Tamper(change);
@@ -72,6 +75,9 @@ TEST_F(StoredObjectsTest, AnyChangeBehindOurBackIsDamage) {
     store_ = nullptr;
   }
 }
+
+DHPMAP_ON_STORES_THAT_KEEP(StoredObjectsTest);
+INSTANTIATE_TEST_SUITE_P(Stores, StoredObjectsTestInAFile, ::testing::Values(StoreKind::kSqlite), testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

@@ -200,13 +200,28 @@ TEST_F(PostgresStoreTest, ReservedNumbersAreLeftByTheNextOwner) {
   EXPECT_EQ(stored->lost_revisions[0].last, info.revision + 5);
 }
 
-TEST_F(PostgresStoreTest, WhatIsNotThereYetSaysSo) {
-  const auto store = Open();
-  const auto map = Create(*store);
-  EXPECT_EQ(store->VerifyMap("house", false, {}).status().code(), StatusCode::kUnimplemented);
-  EXPECT_EQ(store->ExportMap("house", {}).status().code(), StatusCode::kUnimplemented);
-  EXPECT_EQ(store->ImportMap().status().code(), StatusCode::kUnimplemented);
-  EXPECT_EQ(store->Backup({}).status().reason(), Reason("NOT_A_FILE"));
+TEST_F(PostgresStoreTest, WhatIsAskedAfterRowsThatCameOneByOneIsAnsweredWhole) {
+  postgres::ConnectionOptions options;
+  options.url = PostgresCluster::Get()->Url();
+  auto connection = postgres::Connection::Open(options);
+  ASSERT_TRUE(connection.ok()) << connection.status().ToString();
+  const std::string numbers = "SELECT n FROM generate_series(1, 3) AS n";
+  for (int round = 0; round < 3; ++round) {
+    std::int64_t sum = 0;
+    const Status streamed = connection->Stream({&numbers}, "count", [&sum](postgres::Answer& row) {
+      sum += row.Int();
+      return Status::Ok();
+    });
+    ASSERT_TRUE(streamed.ok()) << streamed.ToString();
+    EXPECT_EQ(sum, 6);
+    const auto asked = connection->Query({&numbers}, "count");
+    ASSERT_TRUE(asked.ok()) << asked.status().ToString();
+    EXPECT_EQ(asked->num_rows(), 3) << "in round " << round;
+  }
+}
+
+TEST_F(PostgresStoreTest, IsNotBackedUpAsAFile) {
+  EXPECT_EQ(Open()->Backup({}).status().reason(), Reason("NOT_A_FILE"));
 }
 
 TEST_F(PostgresStoreTest, ErrorsShowNoConnectionString) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far clients' sessions have got is stored with their frames, or not at all.
-#include "tests/unit/storage/sqlite_fixture.h"
+#include "tests/unit/storage/any_store_fixture.h"
 
 namespace dhpmap {
 namespace {
 
-using testing::SqliteStoreTest;
+using testing::AnyStoreTest;
+using testing::StoreKind;
 
-class SessionsTest : public SqliteStoreTest {
+class SessionsTest : public AnyStoreTest {
  protected:
   /// Commits the map with `mark` set, and nothing else changed but the number of frames.
   void CommitMark(Map& map, SessionMark mark) {
@@ -19,7 +20,10 @@ class SessionsTest : public SqliteStoreTest {
   }
 };
 
-TEST_F(SessionsTest, ComeBackWithTheFramesOfTheirCommit) {
+/// By SQL of SQLite's own.
+class SessionsTestInAFile : public SessionsTest {};
+
+TEST_P(SessionsTest, ComeBackWithTheFramesOfTheirCommit) {
   Open();
   const auto map = CreateSample("house");
   const auto other = CreateSample("other");
@@ -33,7 +37,7 @@ TEST_F(SessionsTest, ComeBackWithTheFramesOfTheirCommit) {
   EXPECT_EQ((*store_->ListMaps())[0].info.sessions, map->info().sessions);
 }
 
-TEST_F(SessionsTest, OnlyTheOneThatMovedIsWritten) {
+TEST_P(SessionsTestInAFile, OnlyTheOneThatMovedIsWritten) {
   Open();
   const auto map = CreateSample("house");
   for (const char* name : {"a", "b", "c"}) CommitMark(*map, {name, 1, 1});
@@ -47,7 +51,7 @@ TEST_F(SessionsTest, OnlyTheOneThatMovedIsWritten) {
   ExpectStored(*map->published());
 }
 
-TEST_F(SessionsTest, OfTooManyTheLongestUnusedIsErased) {
+TEST_P(SessionsTest, OfTooManyTheLongestUnusedIsErased) {
   Open();
   const auto map = CreateSample("house");
   const auto before = map->published();
@@ -62,14 +66,13 @@ TEST_F(SessionsTest, OfTooManyTheLongestUnusedIsErased) {
   EXPECT_EQ(store_->GetMap("house")->info.sessions.LastOf("new"), 3);
 }
 
-TEST_F(SessionsTest, AnyChangeBehindOurBackIsDamage) {
+TEST_P(SessionsTest, AnyChangeBehindOurBackIsDamage) {
   for (const char* change :
        {"UPDATE feed_sessions SET sequence = sequence + 1", "UPDATE feed_sessions SET time_ns = 1",
         "UPDATE feed_sessions SET session = session || 'x'", "DELETE FROM feed_sessions WHERE session = 'Robot.2'",
         "DELETE FROM feed_sessions", "INSERT INTO feed_sessions SELECT map_key, 'new', 1, 2 FROM maps",
         "UPDATE maps SET sessions_checksum = 0", "UPDATE maps SET checksum_version = 2"}) {
-    std::filesystem::remove(Path());
-    Open();
+    BeginAnew();
     CreateSample("house");
     store_ = nullptr;
     Tamper(change);
@@ -80,7 +83,7 @@ TEST_F(SessionsTest, AnyChangeBehindOurBackIsDamage) {
   }
 }
 
-TEST_F(SessionsTest, StayWhenNumbersAreReservedOrGoOnAboveTheirMarks) {
+TEST_P(SessionsTestInAFile, StayWhenNumbersAreReservedOrGoOnAboveTheirMarks) {
   Open();
   const auto map = CreateSample("house");
   ASSERT_TRUE(store_->Reserve("house", {.revision = 500, .next_submap_id = SubmapId(70)}).ok());
@@ -89,6 +92,9 @@ TEST_F(SessionsTest, StayWhenNumbersAreReservedOrGoOnAboveTheirMarks) {
   EXPECT_EQ(store_->GetMap("house")->info.revision, 501);
   EXPECT_EQ(store_->GetMap("house")->info.sessions, map->info().sessions);
 }
+
+DHPMAP_ON_STORES_THAT_KEEP(SessionsTest);
+INSTANTIATE_TEST_SUITE_P(Stores, SessionsTestInAFile, ::testing::Values(StoreKind::kSqlite), testing::NameOfKind);
 
 }  // namespace
 }  // namespace dhpmap

@@ -12,12 +12,12 @@
 #include "storage/sqlite_store.h"
 #include "storage/store.h"
 #include "tests/support/scenes.h"
-#include "tests/unit/storage/map_fixtures.h"
+#include "tests/unit/storage/store_samples.h"
 
 namespace dhpmap::testing {
 
 /// A SQLite store in a folder of its own, and access to its file behind its back.
-class SqliteStoreTest : public ::testing::Test {
+class SqliteStoreTest : public ::testing::Test, protected StoreSamples {
  protected:
   [[nodiscard]] std::string Path() const { return (folder_.path() / "maps.db").string(); }
 
@@ -41,22 +41,6 @@ class SqliteStoreTest : public ::testing::Test {
     store_ = std::move(opened).value();
   }
 
-  /// A map of some 25 blocks, in the store.
-  std::unique_ptr<Map> CreateSample(const std::string& name) {
-    auto map = std::make_unique<Map>(generator_.Info(name));
-    for (int n = 0; n < 3; ++n) generator_.AddSubmap(*map, 8);
-    for (int n = 0; n < 3; ++n) generator_.AddVoxels(map->mutable_free_space());
-    const Status created = store_->CreateMap(*map->Publish(11));
-    EXPECT_TRUE(created.ok()) << created.ToString();
-    return map;
-  }
-
-  void ExpectStored(const MapSnapshot& expected) {
-    const auto loaded = store_->LoadMap(expected.info().name);
-    ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
-    ExpectSameMap(expected, **loaded);
-  }
-
   /// Runs SQL of our own on the file, as no store would.
   void Tamper(const std::string& sql) {
     auto database = sqlite::Database::Open(Path(), sqlite::OpenMode::kReadWriteOrCreate, 1000);
@@ -73,17 +57,7 @@ class SqliteStoreTest : public ::testing::Test {
   void WriteFile(const std::string& bytes) { std::ofstream(Path(), std::ios::binary) << bytes; }
 
   TempDir folder_;
-  MapGenerator generator_{9};
   bool pages_tiles_ = false;  ///< of the store that is opened next
-  std::unique_ptr<MapStore> store_;
 };
-
-/// No status that may reach a client shows a path or SQL.
-inline void ExpectDiscreet(const Status& status, const std::string& path) {
-  EXPECT_EQ(status.ToString().find(path), std::string::npos) << status.ToString();
-  for (const char* word : {"SELECT", "INSERT", "UPDATE", "PRAGMA", "tile_blobs"}) {
-    EXPECT_EQ(status.ToString().find(word), std::string::npos) << status.ToString();
-  }
-}
 
 }  // namespace dhpmap::testing

@@ -6,25 +6,30 @@
 #include <vector>
 
 #include "storage/paging/shared_voxels.h"
-#include "tests/unit/storage/sqlite_fixture.h"
+#include "tests/unit/storage/any_store_fixture.h"
+#include "tests/unit/storage/verify_cases.h"
 
 namespace dhpmap {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::SqliteStoreTest;
-using FaultKind = MapFault::Kind;
+using testing::AnyStoreTest;
+using testing::FaultKind;
+using testing::StoreKind;
 
-class VerifyTest : public SqliteStoreTest {
+class VerifyTest : public AnyStoreTest {
  protected:
   VerifyReport Verify(bool repair = false) {
     auto report = store_->VerifyMap("house", repair, {});
     EXPECT_TRUE(report.ok()) << report.status().ToString();
     return report.ok() ? std::move(report).value() : VerifyReport();
   }
-  /// A map with clones, from which each case starts.
   void SetUp() override {
-    Open();
+    AnyStoreTest::SetUp();
+    if (!IsSkipped()) Make();
+  }
+  /// A map with clones, from which each case starts.
+  void Make() {
+    generator_ = testing::MapGenerator(9);
     map_ = CreateSample("house");
     const auto before = map_->published();
     map_->Clone(SubmapId(2));
@@ -38,9 +43,6 @@ class VerifyTest : public SqliteStoreTest {
     map_->FindMutable(SubmapId(2))->mutable_info().display_name = "a table";
     CommitEdit({.author = "ben", .request_id = "abc", .request_fingerprint = 7}, {});
     other_ = CreateSample("other");
-    store_ = nullptr;
-    fs::copy_file(Path(), Path() + ".intact");
-    Open();
   }
   void CommitEdit(EditSource source, EditSummary summary) {
     const auto before = map_->published();
@@ -55,10 +57,16 @@ class VerifyTest : public SqliteStoreTest {
     return edits.ok() ? std::move(edits).value() : std::vector<LoggedEdit>();
   }
   void Damage(const std::string& sql) {
+    BeginAnew();
+    Make();
     store_ = nullptr;
-    fs::copy_file(Path() + ".intact", Path(), fs::copy_options::overwrite_existing);
     Tamper(sql);
     Open();
+  }
+
+  /// `postgres`, or what it is in SQLite.
+  static std::string Of(const std::string& postgres, const std::string& sqlite = "") {
+    return GetParam() == StoreKind::kPostgres ? testing::WithHouse(postgres) : sqlite;
   }
 
   static constexpr std::size_t kNumEdits = 3;
@@ -66,7 +74,10 @@ class VerifyTest : public SqliteStoreTest {
   std::int64_t edited_revision_ = 0;  ///< of the edit that is undone afterwards
 };
 
-TEST_F(VerifyTest, AnIntactMapHasNoFaultsAndIsCounted) {
+/// By SQL of SQLite's own.
+class VerifyTestInAFile : public VerifyTest {};
+
+TEST_P(VerifyTest, AnIntactMapHasNoFaultsAndIsCounted) {
   const VerifyReport report = Verify();
   EXPECT_EQ(report.num_faults, 0) << report.faults[0].place << " " << report.faults[0].what;
   EXPECT_EQ(report.revision, map_->published()->revision());
@@ -84,88 +95,8 @@ TEST_F(VerifyTest, AnIntactMapHasNoFaultsAndIsCounted) {
   ExpectStored(*map_->published());
 }
 
-struct Case {
-  const char* damage;
-  FaultKind kind;
-  const char* place;  ///< begins so
-};
-
-const std::vector<Case>& Cases() {
-  static const std::vector<Case> cases = {
-      {"UPDATE tile_blobs SET blob = CAST(substr(blob, 1, 30) || x'5A' || substr(blob, 32) AS BLOB) WHERE blob_key = "
-       "(SELECT min(blob_key) FROM tiles WHERE layer = 1 AND owner_key = (SELECT submap_key FROM submaps WHERE map_key "
-       "= "
-       "1 AND submap_id = 3))",
-       FaultKind::kBlob, "submap 3: tsdf tile ("},
-      {"DELETE FROM tile_blobs WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE layer = 2 AND owner_key = "
-       "(SELECT "
-       "submap_key FROM submaps WHERE map_key = 1 AND submap_id = 1))",
-       FaultKind::kBlob, "submap 1: label tile ("},
-      {"UPDATE tile_blobs SET blob = x'00' WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE owner_key = -1)",
-       FaultKind::kBlob, "free-space tile ("},
-      {"UPDATE submaps SET track_id = track_id + 1 WHERE map_key = 1 AND submap_id = 3", FaultKind::kRow, "submap 3"},
-      {"DELETE FROM submaps WHERE map_key = 1 AND submap_id = 3", FaultKind::kCount, "map"},
-      {"DELETE FROM tiles WHERE layer = 4 AND owner_key = (SELECT submap_key FROM submaps WHERE map_key = 1 AND "
-       "submap_id = 1)",
-       FaultKind::kCount, "submap 1"},
-      {"UPDATE tiles SET cells = -1 WHERE layer = 1 AND owner_key = (SELECT submap_key FROM submaps WHERE map_key = 1 "
-       "AND submap_id = 1)",
-       FaultKind::kCount, "submap 1: tsdf tile ("},
-      {"UPDATE tiles SET extent = extent - (1 << 7) WHERE layer = 1 AND owner_key = (SELECT submap_key FROM submaps "
-       "WHERE map_key = 1 "
-       "AND submap_id = 1)",
-       FaultKind::kCount, "submap 1: tsdf tile ("},
-      {"DELETE FROM tiles WHERE owner_key = -1 AND layer = 5", FaultKind::kCount, "map"},
-      {"UPDATE submap_boxes SET max_x_m = min_x_m WHERE submap_key = (SELECT submap_key FROM submaps WHERE map_key = 1 "
-       "AND submap_id = 1)",
-       FaultKind::kBounds, "submap 1"},
-      {"INSERT INTO tile_blobs (num_blocks, blob) VALUES (1, x'00')", FaultKind::kReference, "database"},
-      {"DELETE FROM shared_blobs", FaultKind::kReference, "database"},
-      {"UPDATE tile_blobs SET num_blocks = num_blocks + 1 WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE "
-       "layer = "
-       "1)",
-       FaultKind::kCount, "submap "},
-      {"DELETE FROM submap_boxes WHERE submap_key = (SELECT submap_key FROM submaps WHERE map_key = 1 AND submap_id = "
-       "1)",
-       FaultKind::kBounds, "submap 1"},
-      {"INSERT INTO submap_boxes VALUES (999, 0, 1, 0, 1, 0, 1, 1)", FaultKind::kReference, "database"},
-      {"UPDATE shared_blobs SET num_more = num_more + 1", FaultKind::kReference, "database"},
-      {"INSERT INTO tiles SELECT 999, x, y, z, layer, blob_key, cells, extent FROM tiles WHERE owner_key = -1",
-       FaultKind::kReference, "database"},
-      {"INSERT INTO map_config VALUES (77, 'voxel_size_m', '1')", FaultKind::kReference, "database"},
-      {"DELETE FROM edits WHERE request_id = 'abc'", FaultKind::kReference, "database"},
-      {"UPDATE edits SET author = 'eve' WHERE author = 'ben'", FaultKind::kRow, "edit "},
-      {"UPDATE edits SET answer = x'00' WHERE request_id = 'abc'", FaultKind::kRow, "edit "},
-      {"UPDATE edit_histories SET num_bytes = num_bytes + 1", FaultKind::kRow, "what undoes edit "},
-      {"UPDATE edit_histories SET tiles_sum = 5", FaultKind::kRow, "what undoes edit "},
-      {"DELETE FROM edit_tiles WHERE layer = 1", FaultKind::kCount, "what undoes edit "},
-      {"UPDATE edit_tiles SET submap_id = 9 WHERE layer = 1", FaultKind::kReference, "edit "},
-      {"INSERT INTO edit_tiles SELECT 999, submap_id, x, y, z, layer, before_key, after_key FROM edit_tiles",
-       FaultKind::kReference, "database"},
-      {"DELETE FROM tile_blobs WHERE blob_key = (SELECT max(before_key) FROM edit_tiles WHERE before_key NOT IN "
-       "(SELECT blob_key FROM tiles))",
-       FaultKind::kBlob, "edit "},
-      {"UPDATE tile_blobs SET blob = x'00' WHERE blob_key = (SELECT max(before_key) FROM edit_tiles WHERE before_key "
-       "NOT IN (SELECT blob_key FROM tiles))",
-       FaultKind::kBlob, "edit "},
-      {"DELETE FROM edit_targets", FaultKind::kReference, "edit "},
-      {"INSERT INTO edit_targets VALUES (1, 999, 1000, 1)", FaultKind::kReference, "edit 1000"},
-      {"UPDATE edit_totals SET num_edits = num_edits + 1", FaultKind::kCount, "edits"},
-      {"UPDATE edit_totals SET history_bytes = 0", FaultKind::kCount, "edits"},
-      {"DELETE FROM edit_totals", FaultKind::kCount, "edits"},
-      {"UPDATE changes SET time_ns = time_ns + 1 WHERE map_key = 1", FaultKind::kRow, "change of revision "},
-      {"UPDATE changes SET blob = x'00' WHERE map_key = 1", FaultKind::kRow, "change of revision "},
-      {"DELETE FROM changes WHERE change_key = (SELECT max(change_key) FROM changes WHERE map_key = 1)",
-       FaultKind::kCount, "changes"},
-      {"DELETE FROM changes WHERE change_key = (SELECT max(change_key) - 1 FROM changes WHERE map_key = 1)",
-       FaultKind::kCount, "changes"},
-      {"UPDATE change_logs SET num_bytes = 1 WHERE map_key = 1", FaultKind::kRow, "changes"},
-  };
-  return cases;
-}
-
-TEST_F(VerifyTest, EachFaultIsToldWithItsPlaceAndARepairKeepsTheRest) {
-  for (const Case& c : Cases()) {
+TEST_P(VerifyTest, EachFaultIsToldWithItsPlaceAndARepairKeepsTheRest) {
+  for (const auto& c : testing::VerifyCasesOf(GetParam())) {
     SCOPED_TRACE(c.damage);
     Damage(c.damage);
     const VerifyReport found = Verify();
@@ -206,7 +137,7 @@ TEST_F(VerifyTest, EachFaultIsToldWithItsPlaceAndARepairKeepsTheRest) {
   }
 }
 
-TEST_F(VerifyTest, AnEditThatCannotBeReadGoesAndTheOthersStay) {
+TEST_P(VerifyTest, AnEditThatCannotBeReadGoesAndTheOthersStay) {
   Damage("UPDATE edits SET author = 'eve' WHERE author = 'ben'");
   EXPECT_EQ(store_->ListEdits("house", {}).status().reason(), Reason("DAMAGED_EDITS"));
   EXPECT_TRUE(Verify(true).is_repaired);
@@ -218,18 +149,20 @@ TEST_F(VerifyTest, AnEditThatCannotBeReadGoesAndTheOthersStay) {
   }
 }
 
-TEST_F(VerifyTest, AnEditWhoseTilesAreLostStaysInTheLogAndCannotBeUndone) {
-  Damage(
-      "DELETE FROM tile_blobs WHERE blob_key = (SELECT max(before_key) FROM edit_tiles WHERE before_key NOT IN (SELECT "
-      "blob_key FROM tiles))");
+TEST_P(VerifyTest, AnEditWhoseTilesAreLostStaysInTheLogAndCannotBeUndone) {
+  const std::string lost = "DELETE FROM tile_blobs WHERE blob_key = (SELECT max(before_key) FROM edit_tiles WHERE ";
+  Damage(lost + "before_key NOT IN (SELECT blob_key FROM tiles" + Of(" WHERE map_key = HOUSE))") +
+         Of(" AND map_key = HOUSE", "))"));
   EXPECT_TRUE(Verify(true).is_repaired);
   EXPECT_EQ(Edits().size(), kNumEdits);
   EXPECT_EQ(store_->LoadEdit("house", edited_revision_).status().reason(), Reason("UNDO_NOT_KEPT"));
   EXPECT_TRUE(store_->LoadEdit("house", map_->info().revision).ok()) << "it has no such tile";
 }
 
-TEST_F(VerifyTest, WhereTheStateIsAnotherNothingIsUndoneButRepeatedRequestsFindTheirAnswers) {
-  Damage("DELETE FROM tiles WHERE owner_key = (SELECT submap_key FROM submaps WHERE map_key = 1 AND submap_id = 1)");
+TEST_P(VerifyTest, WhereTheStateIsAnotherNothingIsUndoneButRepeatedRequestsFindTheirAnswers) {
+  Damage(
+      Of("DELETE FROM tiles WHERE owner_id = 1 AND map_key = HOUSE",
+         "DELETE FROM tiles WHERE owner_key = (SELECT submap_key FROM submaps WHERE map_key = 1 AND submap_id = 1)"));
   EXPECT_TRUE(Verify(true).is_repaired);
   EXPECT_EQ(Edits().size(), kNumEdits);
   EXPECT_EQ(store_->LoadEdit("house", map_->info().revision).status().reason(), Reason("UNDO_NOT_KEPT"));
@@ -238,7 +171,7 @@ TEST_F(VerifyTest, WhereTheStateIsAnotherNothingIsUndoneButRepeatedRequestsFindT
   EXPECT_EQ((*answer)->answer, "done");
 }
 
-TEST_F(VerifyTest, WhatWasUndoneSaysSoAgainOnceRepaired) {
+TEST_P(VerifyTest, WhatWasUndoneSaysSoAgainOnceRepaired) {
   Damage("DELETE FROM edit_targets");
   for (const LoggedEdit& edit : Edits()) EXPECT_FALSE(edit.is_undone);
   EXPECT_TRUE(Verify(true).is_repaired);
@@ -250,7 +183,7 @@ TEST_F(VerifyTest, WhatWasUndoneSaysSoAgainOnceRepaired) {
   EXPECT_EQ(num_undone, 1);
 }
 
-TEST_F(VerifyTest, WhatALostMapLeftIsToldAndGoes) {
+TEST_P(VerifyTestInAFile, WhatALostMapLeftIsToldAndGoes) {
   Damage("DELETE FROM maps WHERE name = 'other'");
   const VerifyReport found = Verify();
   ASSERT_GT(found.num_faults, 0);
@@ -266,15 +199,16 @@ TEST_F(VerifyTest, WhatALostMapLeftIsToldAndGoes) {
   EXPECT_EQ((*loaded)->submaps().size(), map_->submaps().size());
 }
 
-TEST_F(VerifyTest, EachBlobThatBelongsToNothingIsNamed) {
-  Damage("INSERT INTO tile_blobs (blob_key, num_blocks, blob) VALUES (700001, 1, x'00'), (700002, 1, x'00')");
+TEST_P(VerifyTest, EachBlobThatBelongsToNothingIsNamed) {
+  Damage(Of("INSERT INTO tile_blobs VALUES (HOUSE, 700001, 1, x'00'), (HOUSE, 700002, 1, x'00')",
+            "INSERT INTO tile_blobs (blob_key, num_blocks, blob) VALUES (700001, 1, x'00'), (700002, 1, x'00')"));
   const VerifyReport found = Verify();
   ASSERT_EQ(found.num_faults, 2);
   EXPECT_EQ(found.faults[0].what, "blob 700001 belongs to nothing");
   EXPECT_EQ(found.faults[1].what, "blob 700002 belongs to nothing");
 }
 
-TEST_F(VerifyTest, AMapWhoseOwnRowIsDamagedIsToldAndNotTouched) {
+TEST_P(VerifyTest, AMapWhoseOwnRowIsDamagedIsToldAndNotTouched) {
   Damage("UPDATE maps SET num_frames = 77 WHERE name = 'house'");
   const VerifyReport found = Verify();
   ASSERT_EQ(found.num_faults, 1);
@@ -285,14 +219,14 @@ TEST_F(VerifyTest, AMapWhoseOwnRowIsDamagedIsToldAndNotTouched) {
   EXPECT_EQ(Query("SELECT count(*) FROM tiles"), num_tiles);
 }
 
-TEST_F(VerifyTest, AMapOfALaterVersionIsLeftAlone) {
+TEST_P(VerifyTest, AMapOfALaterVersionIsLeftAlone) {
   Damage("UPDATE tiles SET layer = 9 WHERE layer = 4");
   for (const bool repair : {false, true}) {
     EXPECT_EQ(store_->VerifyMap("house", repair, {}).status().reason(), Reason("NEWER_LAYER"));
   }
 }
 
-TEST_F(VerifyTest, FaultsHaveABoundAndTheirNumberHasNone) {
+TEST_P(VerifyTest, FaultsHaveABoundAndTheirNumberHasNone) {
   Map map(generator_.Info("large"));
   Submap& submap = generator_.AddSubmap(map, 0);
   for (int n = 0; n < 1200; ++n) submap.MutableTsdf({4 * n, 0, 0}).weight[0] = 1;
@@ -305,7 +239,7 @@ TEST_F(VerifyTest, FaultsHaveABoundAndTheirNumberHasNone) {
   EXPECT_EQ(report->faults.size(), VerifyReport::kMaxFaults);
 }
 
-TEST_F(VerifyTest, StopsWhenNobodyWaits) {
+TEST_P(VerifyTest, StopsWhenNobodyWaits) {
   Map map(generator_.Info("large"));
   Submap& submap = generator_.AddSubmap(map, 0);
   for (int n = 0; n < 200; ++n) submap.MutableTsdf({4 * n, 0, 0}).weight[0] = 1;
@@ -315,7 +249,7 @@ TEST_F(VerifyTest, StopsWhenNobodyWaits) {
   EXPECT_EQ(store_->VerifyMap("large", false, stop.get_token()).status().code(), StatusCode::kCancelled);
 }
 
-TEST_F(VerifyTest, CommitsGoOnMeanwhile) {
+TEST_P(VerifyTest, CommitsGoOnMeanwhile) {
   std::atomic<bool> is_over = false;
   std::atomic<int> num_commits = 0;
   std::thread writer([&] {
@@ -333,7 +267,7 @@ TEST_F(VerifyTest, CommitsGoOnMeanwhile) {
   ExpectStored(*other_->published());
 }
 
-TEST_F(VerifyTest, SettledObjectsThatShareVoxelsAreCounted) {
+TEST_P(VerifyTest, SettledObjectsThatShareVoxelsAreCounted) {
   Map map(generator_.Info("settled"));
   for (int n = 0; n < 2; ++n) {
     SubmapInfo info;
@@ -357,6 +291,9 @@ TEST_F(VerifyTest, SettledObjectsThatShareVoxelsAreCounted) {
   EXPECT_EQ(place.block, (BlockIndex{1, 2, 3}));
   EXPECT_EQ(place.num_voxels, 20);
 }
+
+DHPMAP_ON_STORES_THAT_KEEP(VerifyTest);
+INSTANTIATE_TEST_SUITE_P(Stores, VerifyTestInAFile, ::testing::Values(StoreKind::kSqlite), testing::NameOfKind);
 
 TEST(SharedVoxelsTest, AVoxelOfThreeObjectsCountsTwiceAndEachPairIsTold) {
   SharedVoxels shared;

@@ -20,8 +20,11 @@ struct ConnectOptions {
   std::string ca_file;     ///< PEM file of trusted CA certificates instead; implies TLS if not empty
   std::string cert_file;   ///< PEM files of a client certificate and its key, for servers that require one
   std::string key_file;
-  std::string token;       ///< the key sent with each call; only over TLS or to this machine
-  std::string token_file;  ///< or a file with the key, which only its owner may read
+  /// Of several servers on one database, calls about a map go to the one that owns it, once an answer has told which
+  /// that is and it can be reached from here; else all go by the first one.
+  bool to_owner = true;
+  std::string token;       ///< your key, sent with each call; over TLS or to this machine only
+  std::string token_file;  ///< or a file that holds it, and that nobody but its owner may read
 };
 
 /// How unobserved space counts.

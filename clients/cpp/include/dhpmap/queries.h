@@ -91,8 +91,16 @@ class Pinned final : public Queries {
   std::int64_t revision_;
 };
 
-/// Queries on one stream, for control loops: less overhead than calls of Map. Reconnects after a lost connection, and
-/// pins again. For one thread at a time.
+/// A map as the server that is asked has it: see Map::Eventual.
+/// Safe for use from several threads.
+class EventualMap final : public Queries {
+ private:
+  friend class Map;
+  explicit EventualMap(std::shared_ptr<Source> source);
+};
+
+/// Queries on one stream, for control loops: less to do a query than by calls of Map. Goes on over a new connection
+/// when one is lost, pinned as before. For one thread at a time.
 class Loop final : public Queries {
  public:
   /// Pins the current state, or a past revision, for later queries: for 10 s at most, then FailedPrecondition until the

@@ -65,8 +65,14 @@ class ScriptedQueries final : public v1::QueryService::Service {
   std::atomic<int> num_streams = 0;
   std::vector<std::int64_t> pinned;
   std::atomic<bool> is_pin_old = false;  ///< refuses queries until the next pin
+  std::vector<v1::Consistency::Level> relations_of;
 
  private:
+  grpc::Status QueryRelations(grpc::ServerContext*, const v1::QueryRelationsRequest* request,
+                              v1::QueryRelationsResponse*) override {
+    relations_of.push_back(request->consistency());
+    return grpc::Status::OK;
+  }
   grpc::Status StreamQueries(
       grpc::ServerContext*,
       grpc::ServerReaderWriter<v1::StreamQueriesResponse, v1::StreamQueriesRequest>* stream) override {
@@ -120,6 +126,15 @@ TEST(ClientCalls, NoCallIsSentAgainAfterItsDeadline) {
   EXPECT_EQ(away.status().code, client::StatusCode::kUnavailable);
   EXPECT_NE(away.status().message.find(scripted.server.address()), std::string::npos) << away.status().ToString();
   EXPECT_LE(scripted.maps.num_calls, 2);  // 0.1 s and 0.2 s between them
+}
+
+TEST(ClientCalls, AnEventualMapTakesAnyStateOfTheServer) {
+  Scripted scripted;
+  const auto map = *scripted.Connect().OpenMap("room");
+  EXPECT_OK(map.Relations());
+  EXPECT_OK(map.Eventual().Relations());
+  EXPECT_EQ(scripted.queries.relations_of,
+            (std::vector{v1::Consistency::LEVEL_UNSPECIFIED, v1::Consistency::EVENTUAL}));
 }
 
 TEST(ClientCalls, ACreationIsNeverSentTwice) {

@@ -12,6 +12,7 @@ class ScriptedServer:
 
     def __init__(self, *answers):
         self.answers, self.requests, self.deadlines_s, self.metadata = list(answers), [], [], []
+        self.owner = ""  # of all maps, as answers tell
         self._server = grpc.server(concurrent.futures.ThreadPoolExecutor(4))
         self._server.add_generic_rpc_handlers([self])
         self.address = f"127.0.0.1:{self._server.add_insecure_port('127.0.0.1:0')}"
@@ -22,6 +23,8 @@ class ScriptedServer:
             self.requests.append((call.method, request))
             self.deadlines_s.append(context.time_remaining())
             self.metadata.append(dict(context.invocation_metadata()))
+            if self.owner:
+                context.send_initial_metadata((("dhpmap-owner", f"{self.owner} 1"),))
             said = self.answers.pop(0)
             if isinstance(said, bytes):
                 return said

@@ -9,7 +9,8 @@ import pytest
 
 import dhpmap
 from dhpmap import _call, _columns
-from dhpmap.v1 import (edit_service_pb2, map_service_pb2, query_service_pb2, rpc_error_details_pb2, rpc_status_pb2)
+from dhpmap.v1 import (edit_service_pb2, map_service_pb2, query_options_pb2, query_service_pb2, rpc_error_details_pb2,
+                       rpc_status_pb2)
 from mapped_apartment import feed_recording, label_set
 from scripted_server import ScriptedServer, Wire
 
@@ -35,6 +36,17 @@ def test_points_that_take_several_calls_are_all_asked_of_the_first_ones_revision
         assert connection["a"].distances(np.zeros((3, 3))).revision == 7
     requests = [query_service_pb2.QueryDistancesRequest.FromString(request) for _, request in server.requests[1:]]
     assert [its.read_revision for its in requests] == [0, 7, 7]
+
+
+def test_an_eventual_map_asks_for_any_state_and_the_rest_of_a_query_for_that_one(monkeypatch):
+    monkeypatch.setattr(_columns, "MOST_ROWS_A_CALL", 1)
+    answers = [distance_answer(7) for _ in range(2)]
+    with ScriptedServer(MAP, *answers) as server, dhpmap.connect(server.address) as connection:
+        assert connection["a"].eventual().distances(np.zeros((2, 3))).revision == 7
+    requests = [query_service_pb2.QueryDistancesRequest.FromString(request) for _, request in server.requests[1:]]
+    eventual = query_options_pb2.Consistency.EVENTUAL
+    assert [(its.consistency, its.read_revision) for its in requests] == [(eventual, 0), (eventual, 7)]
+    assert all(its.map == "maps/a" for its in requests)
 
 
 def test_a_query_whose_answer_is_lost_is_asked_again():

@@ -11,6 +11,7 @@
 #include "dhpmap/v1/auth_service.pb.h"
 #include "dhpmap/v1/edit_service.pb.h"
 #include "dhpmap/v1/errors.pb.h"
+#include "dhpmap/v1/fleet_service.pb.h"
 #include "dhpmap/v1/map_service.pb.h"
 #include "dhpmap/v1/mapping_service.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
@@ -38,7 +39,7 @@ std::set<const FileDescriptor*> Files() {
        {v1::ApplyEditsRequest::descriptor(), v1::Error::descriptor(), v1::CreateMapRequest::descriptor(),
         v1::IntegrateFramesRequest::descriptor(), v1::QueryPointsRequest::descriptor(),
         v1::GetSubmapRequest::descriptor(), v1::WatchMapRequest::descriptor(), v1::WhoAmIRequest::descriptor(),
-        v1::GetServerStatusRequest::descriptor()}) {
+        v1::GetServerStatusRequest::descriptor(), v1::GetFleetRequest::descriptor()}) {
     add(message->file());
   }
   return files;
@@ -70,7 +71,7 @@ bool EndsInOneOf(const std::string& name, std::initializer_list<const char*> end
 }
 
 TEST(ApiStyle, AllServicesAreLookedAt) {
-  EXPECT_EQ(Files().size(), 15u);
+  EXPECT_EQ(Files().size(), 16u);
   EXPECT_GT(Fields().size(), 400u);
 }
 
@@ -150,7 +151,7 @@ TEST(ApiStyle, ListsHavePages) {
       }
     }
   }
-  EXPECT_EQ(num_lists, 8);
+  EXPECT_EQ(num_lists, 9);
 }
 
 TEST(ApiStyle, FlagsAreAdjectivesAndClassZeroIsAClass) {

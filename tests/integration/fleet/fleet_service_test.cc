@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "dhpmap/v1/fleet_service.grpc.pb.h"
+#include "tests/integration/fleet/fleet_of_two.h"
+
+namespace dhpmap::testing {
+namespace {
+
+using FleetStub = v1::FleetService::Stub;
+
+v1::MoveMapRequest MoveTo(const std::string& server) {
+  v1::MoveMapRequest request;
+  request.set_map("maps/room");
+  request.set_server(server);
+  return request;
+}
+
+TEST_F(FleetOfTwo, TellsWhichServersThereAre) {
+  const auto fleet = other.server.Call(&FleetStub::GetFleet).value();
+  ASSERT_EQ(fleet.servers_size(), 2);
+  EXPECT_EQ(fleet.servers(0).name(), "servers/1");
+  EXPECT_EQ(fleet.servers(0).address(), owner.address());
+  EXPECT_EQ(fleet.servers(0).num_maps(), 1);
+  EXPECT_FALSE(fleet.servers(0).answering());
+  EXPECT_TRUE(fleet.servers(1).answering());
+  EXPECT_TRUE(fleet.servers(1).alive());
+}
+
+TEST_F(FleetOfTwo, ListsTheOwnersByPages) {
+  for (const char* map : {"a", "b", "c", "d"}) room->AddMap(map, 0);
+  v1::ListMapOwnersRequest request;
+  request.set_page_size(2);
+  std::string maps;
+  int num_pages = 0;
+  do {
+    const auto page = other.server.Call(&FleetStub::ListMapOwners, request).value();
+    for (const auto& owned : page.owners()) maps += owned.map() + ":" + owned.server() + " ";
+    request.set_page_token(page.next_page_token());
+    ++num_pages;
+  } while (!request.page_token().empty());
+  EXPECT_EQ(maps, "maps/a: maps/b: maps/c: maps/d: maps/room:servers/1 ");
+  EXPECT_EQ(num_pages, 3);
+}
+
+TEST_F(FleetOfTwo, RefusesToMoveAMapToWhomThereIsNot) {
+  EXPECT_EQ(owner.server.Call(&FleetStub::MoveMap, MoveTo("servers/99")).code(), grpc::INVALID_ARGUMENT);
+  room->SetAlive(other.fleet.me(), false);
+  EXPECT_EQ(owner.server.Call(&FleetStub::MoveMap, MoveTo(other.address())).code(), grpc::FAILED_PRECONDITION);
+  EXPECT_EQ(owner.server.Call(&FleetStub::ListMapOwners)->owners(0).server(), "servers/1") << "nothing has moved";
+}
+
+TEST_F(FleetOfTwo, LeavesAMapWhereItIs) {
+  const auto moved = other.server.Call(&FleetStub::MoveMap, MoveTo("servers/1")).value();
+  EXPECT_EQ(moved.owner().server(), "servers/1");
+  EXPECT_EQ(moved.owner().epoch(), 1);
+  EXPECT_EQ(num_relayed, 1);
+}
+
+TEST(FleetService, IsOfNoServerWithAFile) {
+  const auto store = MakeMemoryStore();
+  TestServer server(*store);
+  for (const std::string& reason :
+       {server.Call(&FleetStub::GetFleet).reason(), server.Call(&FleetStub::ListMapOwners).reason(),
+        server.Call(&FleetStub::MoveMap, MoveTo("1")).reason()}) {
+    EXPECT_EQ(reason, "NO_FLEET");
+  }
+}
+
+}  // namespace
+}  // namespace dhpmap::testing

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/app/follow/followed_maps.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "tests/support/eventually.h"
+
+namespace dhpmap {
+namespace {
+
+using testing::Eventually;
+using Names = std::vector<std::string>;
+
+/// Tells of commits when the test says so.
+class ToldFleet final : public Fleet {
+ public:
+  [[nodiscard]] FleetServer Me() const override { return {}; }
+  Result<std::vector<FleetServer>> ListServers() override { return std::vector<FleetServer>(); }
+  Result<std::vector<OwnedMap>> ListOwners(const std::string&, std::size_t) override { return std::vector<OwnedMap>(); }
+  [[nodiscard]] std::optional<MapOwner> KnownOwner(const std::string&) const override { return std::nullopt; }
+  Result<MapOwner> OwnerOf(const std::string&) override { return MapOwner(); }
+  void Forget(const std::string&) override {}
+  Status GiveUp(const std::string&, std::int64_t) override { return Status::Ok(); }
+  void StopTaking() override {}
+  [[nodiscard]] bool MayAnswer() const override { return true; }
+  void OnChange(std::function<void(const std::string&, std::int64_t)> on_change) override {
+    on_change_ = std::move(on_change);
+  }
+  void SetFollowed(std::vector<std::string> maps) override {
+    const MutexLock lock(mutex_);
+    followed_ = std::move(maps);
+  }
+  void Tell(const std::string& map) const { on_change_(map, 0); }
+  Names followed() const {
+    const MutexLock lock(mutex_);
+    return followed_;
+  }
+
+ private:
+  std::function<void(const std::string&, std::int64_t)> on_change_;
+  mutable Mutex mutex_;
+  Names followed_ DHPMAP_GUARDED_BY(mutex_);
+};
+
+/// A memory store that is away for a while, and counts reads.
+class AwayStore final : public MapStore {
+ public:
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return store_->ListMaps(after, max);
+  }
+  Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
+  Status CreateMap(const MapSnapshot& snapshot) override { return store_->CreateMap(snapshot); }
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
+    return store_->Commit(before, after, durability);
+  }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return store_->LoadMap(name); }
+  Result<StateToRead> LoadToRead(const std::string& name) override {
+    ++num_loads;
+    if (is_away) return Unavailable("it is away");
+    return MapStore::LoadToRead(name);
+  }
+  Result<StateToRead> ReadSince(const StateToRead& before) override {
+    ++num_looks;
+    if (is_away) return Unavailable("it is away");
+    return MapStore::LoadToRead(before.snapshot->info().name);
+  }
+  Status DeleteMap(const std::string& name) override { return store_->DeleteMap(name); }
+  Status Reserve(const std::string& name, const NumberMarks& marks) override { return store_->Reserve(name, marks); }
+
+  std::atomic<int> num_loads = 0, num_looks = 0;
+  std::atomic<bool> is_away = false;
+
+ private:
+  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
+};
+
+class FollowedMapsTest : public ::testing::Test {
+ protected:
+  FollowedMapsTest() {
+    Create("room");
+    Create("yard");
+  }
+  void Create(const std::string& name) {
+    MapInfo info;
+    info.name = name;
+    info.history_id = 7;
+    info.create_time_ns = 1;
+    auto& map = written_[name] = std::make_unique<Map>(info);
+    map->Create({.voxel_size_m = 0.05, .truncation_m = 0.2}).MutableTsdf({0, 0, 0});
+    ASSERT_TRUE(store_.CreateMap(*map->Publish(1)).ok());
+  }
+  void Follow(FollowOptions options = {}) {
+    options.watched = [this] { return watched_; };
+    maps_ = std::make_unique<FollowedMaps>(store_, fleet_, std::move(options));
+  }
+  std::int64_t Commit(const std::string& name, int num_submaps = 0) {
+    Map& map = *written_.at(name);
+    const auto before = map.published();
+    map.mutable_info().num_frames += 1;
+    for (int n = 0; n < num_submaps; ++n) {
+      map.Create({.voxel_size_m = 0.05, .truncation_m = 0.2}).MutableTsdf({0, 0, 0});
+    }
+    EXPECT_TRUE(store_.Commit(*before, *map.Publish(2), Durability::kNormal).ok());
+    return map.published()->revision();
+  }
+  std::int64_t RevisionOf(const std::string& name) {
+    const auto view = maps_->ViewOf(name);
+    EXPECT_TRUE(view.ok()) << view.status().ToString();
+    return view.ok() ? (*view)->snapshot().revision() : -1;
+  }
+  bool Reaches(const std::string& name, std::int64_t revision) {
+    return Eventually([&] { return maps_->Find(name)->snapshot().revision() == revision; });
+  }
+  static FollowOptions LooksOnlyWhenTold() { return {.look_every = std::chrono::hours(1)}; }
+
+  ToldFleet fleet_;
+  AwayStore store_;
+  Names watched_;
+  std::map<std::string, std::unique_ptr<Map>> written_;
+  std::unique_ptr<FollowedMaps> maps_;  // last: it uses the others
+};
+
+TEST_F(FollowedMapsTest, ACopyIsReadOnceAndGoesOnWhenTheFleetTellsOfACommit) {
+  Follow(LooksOnlyWhenTold());
+  EXPECT_EQ(maps_->Find("room"), nullptr);
+  EXPECT_EQ(RevisionOf("room"), 1);
+  EXPECT_TRUE(Eventually([&] { return store_.num_looks == 1; })) << "for what was committed before it was followed";
+  for (int n = 0; n < 5; ++n) {
+    const std::int64_t revision = Commit("room");
+    fleet_.Tell("room");
+    EXPECT_TRUE(Reaches("room", revision));
+    EXPECT_EQ(RevisionOf("room"), revision);
+  }
+  EXPECT_EQ(store_.num_loads, 1);
+  EXPECT_EQ(maps_->num_maps(), 1u);
+}
+
+TEST_F(FollowedMapsTest, WhoHasSeenALaterStateIsNotAnsweredFromAnOlderOne) {
+  Follow(LooksOnlyWhenTold());
+  EXPECT_EQ(RevisionOf("room"), 1);
+  ASSERT_TRUE(Eventually([&] { return store_.num_looks == 1; }));
+  const std::int64_t revision = Commit("room");
+  EXPECT_EQ(RevisionOf("room"), 1) << "nobody has told of it";
+  EXPECT_EQ((*maps_->ViewOf("room", revision))->snapshot().revision(), revision);
+  EXPECT_EQ((*maps_->ViewOf("room", revision + 9))->snapshot().revision(), revision) << "there is no later one";
+}
+
+TEST_F(FollowedMapsTest, AViewStaysAsItIs) {
+  Follow(LooksOnlyWhenTold());
+  const auto view = maps_->ViewOf("room");
+  ASSERT_TRUE(view.ok());
+  const std::int64_t revision = Commit("room", 3);
+  fleet_.Tell("room");
+  ASSERT_TRUE(Reaches("room", revision));
+  EXPECT_EQ((*view)->snapshot().revision(), 1);
+  EXPECT_EQ((*view)->snapshot().submaps().size(), 2u);
+  EXPECT_EQ((*maps_->ViewOf("room"))->snapshot().submaps().size(), 5u);
+}
+
+TEST_F(FollowedMapsTest, ACommitThatNobodyTellsOfIsFoundNevertheless) {
+  Follow({.look_every = std::chrono::milliseconds(1)});
+  EXPECT_EQ(RevisionOf("room"), 1);
+  EXPECT_TRUE(Reaches("room", Commit("room")));
+}
+
+TEST_F(FollowedMapsTest, WhoAsksAtOnceReadsOnce) {
+  Follow(LooksOnlyWhenTold());
+  std::vector<std::thread> readers;
+  for (int n = 0; n < 4; ++n) readers.emplace_back([this] { EXPECT_EQ(RevisionOf("room"), 1); });
+  for (std::thread& reader : readers) reader.join();
+  EXPECT_EQ(store_.num_loads, 1);
+}
+
+TEST_F(FollowedMapsTest, TheFleetIsToldWhatIsFollowedOrWatched) {
+  watched_ = {"yard", "attic"};
+  Follow(LooksOnlyWhenTold());
+  maps_->NoteWatched();
+  EXPECT_TRUE(Eventually([&] { return fleet_.followed() == Names{"attic", "yard"}; }));
+  EXPECT_EQ(RevisionOf("room"), 1);
+  EXPECT_TRUE(Eventually([&] { return fleet_.followed() == Names{"attic", "room", "yard"}; }));
+  maps_->Drop("room");
+  maps_->NoteWatched();
+  EXPECT_TRUE(Eventually([&] { return fleet_.followed() == Names{"attic", "yard"}; }));
+}
+
+TEST_F(FollowedMapsTest, EveryCommitIsPassedOnForWatchers) {
+  Names told;
+  FollowOptions options = LooksOnlyWhenTold();
+  options.on_commit = [&told](const std::string& map) { told.push_back(map); };
+  Follow(std::move(options));
+  fleet_.Tell("yard");
+  EXPECT_EQ(told, Names{"yard"}) << "which nobody follows";
+  maps_->Stop();
+  fleet_.Tell("yard");
+  EXPECT_EQ(told, Names{"yard"}) << "nobody is called any more";
+  EXPECT_EQ(maps_->ViewOf("yard").status().code(), StatusCode::kUnavailable);
+}
+
+TEST_F(FollowedMapsTest, AMapThatIsNotThereLeavesNothing) {
+  Follow(LooksOnlyWhenTold());
+  EXPECT_EQ(maps_->ViewOf("attic").status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(maps_->num_maps(), 0u);
+}
+
+TEST_F(FollowedMapsTest, ADeletedMapIsGone) {
+  Follow(LooksOnlyWhenTold());
+  EXPECT_EQ(RevisionOf("room"), 1);
+  ASSERT_TRUE(store_.DeleteMap("room").ok());
+  fleet_.Tell("room");
+  EXPECT_TRUE(Eventually([&] { return maps_->Find("room") == nullptr; }));
+  EXPECT_EQ(maps_->ViewOf("room").status().code(), StatusCode::kNotFound);
+  EXPECT_TRUE(Eventually([&] { return maps_->bytes() == 0; }));
+}
+
+TEST_F(FollowedMapsTest, WhileTheStoreIsAwayACopyIsReadAndGoesOnWhenItIsBack) {
+  Follow(LooksOnlyWhenTold());
+  EXPECT_EQ(RevisionOf("room"), 1);
+  ASSERT_TRUE(Eventually([&] { return store_.num_looks == 1; }));
+  store_.is_away = true;
+  const std::int64_t revision = Commit("room");
+  fleet_.Tell("room");
+  ASSERT_TRUE(Eventually([&] { return store_.num_looks > 1; }));
+  EXPECT_EQ(RevisionOf("room"), 1);
+  EXPECT_EQ(maps_->ViewOf("yard").status().code(), StatusCode::kUnavailable);
+  store_.is_away = false;
+  EXPECT_TRUE(Reaches("room", revision)) << "it tries again by itself";
+  EXPECT_EQ(RevisionOf("yard"), 1);
+}
+
+TEST_F(FollowedMapsTest, ThereAreNoMoreCopiesThanThereIsRoomFor) {
+  FollowOptions few = LooksOnlyWhenTold();
+  few.max_maps = 1;
+  Follow(std::move(few));
+  EXPECT_EQ(RevisionOf("room"), 1);
+  EXPECT_EQ(maps_->ViewOf("yard").status().reason(), Reason("TOO_BUSY"));
+  maps_->Drop("room");
+  EXPECT_EQ(RevisionOf("yard"), 1);
+}
+
+TEST_F(FollowedMapsTest, ACopyForWhichThereIsNoMemoryIsNotKept) {
+  Follow(LooksOnlyWhenTold());
+  EXPECT_EQ(RevisionOf("room"), 1);
+  const std::size_t one = maps_->bytes();
+  ASSERT_GT(one, sizeof(TsdfBlock));
+  FollowOptions tight = LooksOnlyWhenTold();
+  tight.max_bytes = one + one / 2;
+  Follow(std::move(tight));
+  EXPECT_EQ(RevisionOf("room"), 1);
+  EXPECT_EQ(maps_->ViewOf("yard").status().reason(), Reason("TOO_BUSY"));
+  EXPECT_EQ(maps_->bytes(), one);
+  Commit("room", 2);  // it has outgrown the room
+  fleet_.Tell("room");
+  EXPECT_TRUE(Eventually([&] { return maps_->Find("room") == nullptr && maps_->bytes() == 0; }));
+  EXPECT_EQ(RevisionOf("yard"), 1);
+}
+
+TEST_F(FollowedMapsTest, WhatNobodyReadsIsDropped) {
+  Follow({.idle_drop_s = std::chrono::duration<double>(60), .look_every = std::chrono::hours(1)});
+  EXPECT_EQ(RevisionOf("room"), 1);
+  maps_->DropIdle(FollowedMaps::Clock::now() + std::chrono::seconds(30));
+  EXPECT_EQ(maps_->num_maps(), 1u);
+  maps_->DropIdle(FollowedMaps::Clock::now() + std::chrono::seconds(90));
+  EXPECT_EQ(maps_->num_maps(), 0u);
+  EXPECT_TRUE(Eventually([&] { return maps_->bytes() == 0; }));
+  EXPECT_EQ(RevisionOf("room"), 1);
+  EXPECT_EQ(store_.num_loads, 2);
+}
+
+}  // namespace
+}  // namespace dhpmap

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An edit that a store has made, though it could not say so: whoever asks next is served what is stored.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "server/app/maps/map_registry.h"
+#include "tests/support/assert_ok.h"
+#include "tests/support/eventually.h"
+#include "tests/unit/server/app/open_map_fixture.h"
+
+namespace dhpmap {
+namespace {
+
+/// This process alone.
+class LonelyFleet final : public Fleet {
+ public:
+  [[nodiscard]] FleetServer Me() const override { return {.id = 1, .is_alive = true, .is_me = true}; }
+  Result<std::vector<FleetServer>> ListServers() override { return std::vector<FleetServer>{Me()}; }
+  Result<std::vector<OwnedMap>> ListOwners(const std::string&, std::size_t) override { return std::vector<OwnedMap>(); }
+  [[nodiscard]] std::optional<MapOwner> KnownOwner(const std::string&) const override { return std::nullopt; }
+  Result<MapOwner> OwnerOf(const std::string&) override { return MapOwner{.server = 1, .is_me = true}; }
+  void Forget(const std::string&) override {}
+  Status GiveUp(const std::string&, std::int64_t) override { return Status::Ok(); }
+  void OnLost(std::function<void(const std::string& map)>) override {}
+  void StopTaking() override {}
+  [[nodiscard]] bool MayAnswer() const override { return true; }
+  void OnChange(std::function<void(const std::string& map, std::int64_t revision)>) override {}
+  void SetFollowed(std::vector<std::string>) override {}
+};
+
+/// Makes an edit, and loses the answer, when it is told to.
+class SilentStore final : public MapStore {
+ public:
+  [[nodiscard]] Fleet* fleet() override { return &fleet_; }
+  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
+    return inner_->ListMaps(after, max);
+  }
+  Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
+  Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
+  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
+    return inner_->Commit(before, after, durability);
+  }
+  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
+    const Status made = inner_->CommitEdit(before, after, edit);
+    return made.ok() && is_silent.exchange(false) ? Unavailable("no answer") : made;
+  }
+  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return inner_->LoadMap(name); }
+  Status DeleteMap(const std::string& name) override { return inner_->DeleteMap(name); }
+  Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner_->Reserve(name, marks); }
+
+  std::atomic<bool> is_silent = false;
+
+ private:
+  LonelyFleet fleet_;
+  const std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
+};
+
+/// Adds a thing.
+Status EditIn(MapRegistry& registry) {
+  const auto room = registry.GetOpen("room");
+  if (!room.ok()) return room.status();
+  return Wait<Status>([&](auto done) {
+    (*room)->Edit([](Map& map) -> Result<SubmapId> { return map.Create({.panoptic = Panoptic::kThing}).id(); },
+                  [done](const Result<EditOutcome>& outcome) { done(outcome.status()); });
+  });
+}
+
+TEST(LostAnswer, AnEditThatWasMadeUnheardIsServedAndEditsGoOnAfterIt) {
+  SilentStore store;
+  ASSERT_OK_AND_ASSIGN(const auto registry, MapRegistry::Open(store, {.mapping = {.num_threads = 1}}));
+  ASSERT_OK(registry->Create(RoomInfo("room")));
+  ASSERT_OK(EditIn(*registry));
+  store.is_silent = true;
+  EXPECT_EQ(EditIn(*registry).code(), StatusCode::kUnavailable);
+  EXPECT_EQ(store.GetMap("room")->num_submaps, 3) << "the unknown one, and two of edits";
+  EXPECT_EQ(registry->Get("room")->num_submaps, 2) << "this process has taken it back";
+  EXPECT_EQ(EditIn(*registry).code(), StatusCode::kUnavailable) << "clients come again after that";
+  EXPECT_TRUE(testing::Eventually([&] { return EditIn(*registry).ok(); }));
+  EXPECT_EQ(registry->Get("room")->num_submaps, 4);
+  EXPECT_EQ(store.GetMap("room")->num_submaps, 4);
+}
+
+}  // namespace
+}  // namespace dhpmap
