@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "dhpmap/v1/auth_service.grpc.pb.h"
 #include "proto/types/metadata_keys.h"
 #include "server/auth/keys/key_book.h"
 #include "server/auth/keys/key_file.h"

@@ -18,18 +18,19 @@ namespace dhpmap::rig {
 /// Where the servers are now. Thread-safe.
 class Doors {
  public:
-  explicit Doors(std::size_t num_servers) : channels_(num_servers) {}
+  explicit Doors(std::size_t num_servers) : num_servers_(num_servers), channels_(num_servers) {}
   void Set(std::size_t server, const std::string& address) DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::shared_ptr<grpc::Channel> ChannelTo(std::size_t server) const DHPMAP_EXCLUDES(mutex_);
   /// The one at that address; `otherwise` if there is none, or no longer.
   [[nodiscard]] std::size_t Find(const std::string& address, std::size_t otherwise) const DHPMAP_EXCLUDES(mutex_);
-  [[nodiscard]] std::size_t size() const { return channels_.size(); }
+  [[nodiscard]] std::size_t size() const { return num_servers_; }
 
  private:
   struct Door {
     std::string address;
     std::shared_ptr<grpc::Channel> channel;
   };
+  const std::size_t num_servers_;
   mutable Mutex mutex_;
   std::vector<Door> channels_ DHPMAP_GUARDED_BY(mutex_);
 };
