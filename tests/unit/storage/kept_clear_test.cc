@@ -2,6 +2,8 @@
 // Regions that a map keeps clear, as both stores keep them.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/unit/storage/any_store_fixture.h"
 #include "tests/unit/storage/map_fixtures.h"
 
