@@ -54,7 +54,7 @@ void LabelLists::Set(std::uint32_t number, const LabelHistograms& histograms) {
   }
 }
 
-void LabelLists::Put(const Entry& entry, std::uint32_t i, const LabelCount& seen) {
+void LabelLists::Put(const Entry& entry, std::size_t i, const LabelCount& seen) {
   std::uint16_t* const words = words_.data() + entry.first;
   const auto low = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
   const auto high = [](std::uint32_t value) { return static_cast<std::uint16_t>(value >> 16); };

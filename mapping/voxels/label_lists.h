@@ -60,13 +60,13 @@ class LabelLists {
   static_assert(sizeof(Entry) == 8);
 
   /// The i-th count: classes, then instances as SeenInstance::code.
-  [[nodiscard]] LabelCount At(const Entry& entry, std::uint32_t i) const {
+  [[nodiscard]] LabelCount At(const Entry& entry, std::size_t i) const {
     const std::uint16_t* const words = words_.data() + entry.first;
     if (entry.is_wide == 0) return {words[2 * i], words[2 * i + 1]};
     return {words[4 * i] | std::uint32_t{words[4 * i + 1]} << 16,
             words[4 * i + 2] | std::uint32_t{words[4 * i + 3]} << 16};
   }
-  void Put(const Entry& entry, std::uint32_t i, const LabelCount& seen);
+  void Put(const Entry& entry, std::size_t i, const LabelCount& seen);
   /// Raises the count of an id among [begin, end). Returns whether there is one that can hold the sum.
   bool Raise(const Entry& entry, std::uint32_t begin, std::uint32_t end, LabelCount by);
   /// Moves all words together, into an array with room for more.
