@@ -65,8 +65,8 @@ class Fleet {
   /// Gives a map of ours up, once it is closed here, to a server or (0) to whoever asks first. OK if it is not ours.
   /// FAILED_PRECONDITION if that server is dead or drains.
   virtual Status GiveUp(const std::string& map, std::int64_t to_server) = 0;
-  /// `on_lost(map)` is called with a map of ours that another process has taken: what is open of it must be closed. On
-  /// any thread, and must be quick. Replaces the last one, of which no call runs any more then. Empty: nobody is told.
+  /// Sets the callback for maps of ours that another process has taken; the listener closes the open map. Runs on any
+  /// thread, and must be quick. Replaces the previous callback, and waits until no call of that one runs. Empty: none.
   virtual void OnLost(std::function<void(const std::string& map)> on_lost) { (void)on_lost; }
   /// Takes no more maps. Maps that are ours stay so until they are given up.
   virtual void StopTaking() = 0;

@@ -73,7 +73,7 @@ void FollowedMaps::TellInterest() {
   fleet_.SetFollowed(std::move(names));
 }
 
-/// Those of which a commit is known, and those that nobody has looked at for long.
+/// Takes the copies with a known new commit, and those whose last check is long ago.
 std::vector<std::pair<std::string, FollowedMaps::CopyPtr>> FollowedMaps::TakeDue() {
   const auto now = Clock::now();
   std::vector<std::pair<std::string, CopyPtr>> due;

@@ -21,8 +21,9 @@ struct ServerRow {
   bool is_draining = false;
 };
 
-/// Which servers live, by this process's own clock alone: a server is dead when its beat has not changed for a lease,
-/// during which own beats have succeeded. So a database that is silent kills nobody. Thread-safe; asks nobody.
+/// Judges which servers are alive by this process's own clock. A server is dead if its beat has not changed for a lease,
+/// provided that this process's own beats succeeded meanwhile. So a silent database makes no server dead. Makes no
+/// queries. Thread-safe.
 class Peers {
  public:
   /// `me`: this process. `time`: empty: the steady clock.
