@@ -10,26 +10,19 @@
 
 #include "mapping/base/mutex.h"
 #include "storage/store.h"
+#include "tests/support/lone_fleet.h"
 
 namespace dhpmap::testing {
 
 /// A fleet that takes no map and is told of commits by the test.
-class ReadersFleet final : public Fleet {
+class ReadersFleet final : public LoneFleet {
  public:
   [[nodiscard]] FleetServer Me() const override { return {.id = 2, .is_alive = true, .is_me = true}; }
-  Result<std::vector<FleetServer>> ListServers() override { return std::vector{Me()}; }
-  Result<std::vector<OwnedMap>> ListOwners(const std::string&, std::size_t) override { return std::vector<OwnedMap>(); }
-  [[nodiscard]] std::optional<MapOwner> KnownOwner(const std::string&) const override { return std::nullopt; }
   Result<MapOwner> OwnerOf(const std::string&) override { return Unavailable("the owner is not asked here"); }
-  void Forget(const std::string&) override {}
-  Status GiveUp(const std::string&, std::int64_t) override { return Status::Ok(); }
-  void StopTaking() override {}
-  [[nodiscard]] bool MayAnswer() const override { return true; }
   void OnChange(std::function<void(const std::string&, std::int64_t)> on_change) override {
     const MutexLock lock(mutex_);
     on_change_ = std::move(on_change);
   }
-  void SetFollowed(std::vector<std::string>) override {}
 
   void Tell(const std::string& map, std::int64_t revision) {
     std::function<void(const std::string&, std::int64_t)> on_change;

@@ -27,6 +27,7 @@ from robot import Editor, Robot, create_map  # noqa: E402
 
 LIMITS_S = {"postgres": 6, "host": 25}
 FRAMES_PER_S, EDIT_PERIOD_S = 10, 0.1
+MORE_HEARD = 3  # acknowledgements of each client between two faults, and after each
 
 
 class Fleet:
@@ -80,17 +81,21 @@ def pause_s(heard_s, fault_s, until_s):
     return max(after - before for before, after in zip(times, times[1:]))
 
 
+def hear_more(clients):
+    """Waits for further acknowledgements of each client."""
+    wanted = [len(its.heard_s) + MORE_HEARD for its in clients]
+    for client, num in zip(clients, wanted):
+        wait_for(lambda its=client, n=num: len(its.heard_s) >= n, 60, f"acknowledgements for {client}")
+
+
 def kill(fleet, kind, clients):
     """One fault, until the fleet is whole again. The pauses of the clients, and the time until it was whole."""
     wait_for(fleet.is_whole, 120, "whole cluster")
-    time.sleep(2)
+    hear_more(clients)
     node, fault_s = fleet.primary(), time.monotonic()
     fleet.run("part.sh", "kill" if kind == "host" else "kill-postgres", f"pg{node}")
     wait_for(lambda: fleet.primary() not in (None, node), 60, "other primary")
-    primary_s = time.monotonic()
-    for client in clients:
-        wait_for(lambda its=client: its.last_heard_s() > primary_s, 60, f"acknowledgement for {client}")
-    time.sleep(2)
+    hear_more(clients)
     until_s = time.monotonic()
     if kind == "host":
         fleet.run("part.sh", "start", f"pg{node}")

@@ -122,7 +122,7 @@ class Robot(Client):
         except grpc.RpcError as failed:
             if failed.code() not in PASSING:
                 raise
-            time.sleep(0.1)
+            self._is_ending.wait(0.1)
         finally:
             is_over.set()
             call.cancel()
@@ -138,7 +138,7 @@ class Robot(Client):
                 sequence += 1
                 self.num_sent = max(self.num_sent, sequence)
                 yield message_of(sequence)
-            time.sleep(self._period_s)
+            self._is_ending.wait(self._period_s)
 
 
 class Editor(Client):
@@ -158,10 +158,10 @@ class Editor(Client):
                 {"submap": submap, "rename": {"display_name": author}}])
             self.told[author] = insist(stub.ApplyEdits, request).revision
             self.heard_s.append(time.monotonic())
-            time.sleep(self._period_s)
+            self._is_ending.wait(self._period_s)
 
     def _first_object(self, channel):
         stub = submap_service_pb2_grpc.SubmapServiceStub(channel)
         found = insist(stub.ListSubmaps, submap_service_pb2.ListSubmapsRequest(parent=MAP)).submaps
-        time.sleep(0.2)
+        self._is_ending.wait(0.2)
         return next((its.name for its in found if its.instance_id != 0), None)  # 0 holds what is unknown

@@ -15,6 +15,7 @@
 
 #include "server/app/follow/followed_maps.h"
 #include "storage/postgres_store.h"
+#include "tests/support/lone_fleet.h"
 #include "tests/support/postgres_cluster.h"
 #include "tests/unit/storage/map_fixtures.h"
 
@@ -30,18 +31,9 @@ void Require(const Status& status) {
 }
 
 /// Where the store has no fleet: asks every 50 ms, as one does.
-class PollingFleet final : public Fleet {
+class PollingFleet final : public testing::LoneFleet {
  public:
   explicit PollingFleet(MapStore& store) : store_(store) {}
-  [[nodiscard]] FleetServer Me() const override { return {}; }
-  Result<std::vector<FleetServer>> ListServers() override { return std::vector<FleetServer>(); }
-  Result<std::vector<OwnedMap>> ListOwners(const std::string&, std::size_t) override { return std::vector<OwnedMap>(); }
-  [[nodiscard]] std::optional<MapOwner> KnownOwner(const std::string&) const override { return std::nullopt; }
-  Result<MapOwner> OwnerOf(const std::string&) override { return MapOwner(); }
-  void Forget(const std::string&) override {}
-  Status GiveUp(const std::string&, std::int64_t) override { return Status::Ok(); }
-  void StopTaking() override {}
-  [[nodiscard]] bool MayAnswer() const override { return true; }
   void OnChange(std::function<void(const std::string&, std::int64_t)> on_change) override {
     on_change_ = std::move(on_change);
   }

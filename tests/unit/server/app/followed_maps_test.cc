@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/eventually.h"
+#include "tests/support/lone_fleet.h"
 
 namespace dhpmap {
 namespace {
@@ -19,17 +20,8 @@ using testing::Eventually;
 using Names = std::vector<std::string>;
 
 /// Tells of commits when the test says so.
-class ToldFleet final : public Fleet {
+class ToldFleet final : public testing::LoneFleet {
  public:
-  [[nodiscard]] FleetServer Me() const override { return {}; }
-  Result<std::vector<FleetServer>> ListServers() override { return std::vector<FleetServer>(); }
-  Result<std::vector<OwnedMap>> ListOwners(const std::string&, std::size_t) override { return std::vector<OwnedMap>(); }
-  [[nodiscard]] std::optional<MapOwner> KnownOwner(const std::string&) const override { return std::nullopt; }
-  Result<MapOwner> OwnerOf(const std::string&) override { return MapOwner(); }
-  void Forget(const std::string&) override {}
-  Status GiveUp(const std::string&, std::int64_t) override { return Status::Ok(); }
-  void StopTaking() override {}
-  [[nodiscard]] bool MayAnswer() const override { return true; }
   void OnChange(std::function<void(const std::string&, std::int64_t)> on_change) override {
     on_change_ = std::move(on_change);
   }

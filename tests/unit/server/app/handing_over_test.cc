@@ -16,20 +16,17 @@
 #include "server/app/maps/map_registry.h"
 #include "tests/support/assert_ok.h"
 #include "tests/support/eventually.h"
+#include "tests/support/lone_fleet.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
 namespace {
 
 /// Two servers, of which 1 is this one. Notes what is given up, and tells of losses when the test says so.
-class NotedFleet final : public Fleet {
+class NotedFleet final : public testing::LoneFleet {
  public:
   [[nodiscard]] FleetServer Me() const override { return servers.front(); }
   Result<std::vector<FleetServer>> ListServers() override { return servers; }
-  Result<std::vector<OwnedMap>> ListOwners(const std::string&, std::size_t) override { return std::vector<OwnedMap>(); }
-  [[nodiscard]] std::optional<MapOwner> KnownOwner(const std::string&) const override { return std::nullopt; }
-  Result<MapOwner> OwnerOf(const std::string&) override { return MapOwner{.server = 1, .is_me = true}; }
-  void Forget(const std::string&) override {}
   Status GiveUp(const std::string& map, std::int64_t to_server) override {
     before_giving_up(map);
     given.emplace_back(map, to_server);
@@ -37,9 +34,6 @@ class NotedFleet final : public Fleet {
   }
   void OnLost(std::function<void(const std::string& map)> to_call) override { on_lost = std::move(to_call); }
   void StopTaking() override { takes = false; }
-  [[nodiscard]] bool MayAnswer() const override { return true; }
-  void OnChange(std::function<void(const std::string& map, std::int64_t revision)>) override {}
-  void SetFollowed(std::vector<std::string>) override {}
 
   std::vector<FleetServer> servers = {
       {.id = 1, .address = "one:1", .is_alive = true, .is_me = true},

@@ -10,27 +10,11 @@
 #include "server/app/maps/map_registry.h"
 #include "tests/support/assert_ok.h"
 #include "tests/support/eventually.h"
+#include "tests/support/lone_fleet.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
 namespace {
-
-/// This process alone.
-class LonelyFleet final : public Fleet {
- public:
-  [[nodiscard]] FleetServer Me() const override { return {.id = 1, .is_alive = true, .is_me = true}; }
-  Result<std::vector<FleetServer>> ListServers() override { return std::vector<FleetServer>{Me()}; }
-  Result<std::vector<OwnedMap>> ListOwners(const std::string&, std::size_t) override { return std::vector<OwnedMap>(); }
-  [[nodiscard]] std::optional<MapOwner> KnownOwner(const std::string&) const override { return std::nullopt; }
-  Result<MapOwner> OwnerOf(const std::string&) override { return MapOwner{.server = 1, .is_me = true}; }
-  void Forget(const std::string&) override {}
-  Status GiveUp(const std::string&, std::int64_t) override { return Status::Ok(); }
-  void OnLost(std::function<void(const std::string& map)>) override {}
-  void StopTaking() override {}
-  [[nodiscard]] bool MayAnswer() const override { return true; }
-  void OnChange(std::function<void(const std::string& map, std::int64_t revision)>) override {}
-  void SetFollowed(std::vector<std::string>) override {}
-};
 
 /// Makes an edit, and loses the answer, when it is told to.
 class SilentStore final : public MapStore {
@@ -55,7 +39,7 @@ class SilentStore final : public MapStore {
   std::atomic<bool> is_silent = false;
 
  private:
-  LonelyFleet fleet_;
+  testing::LoneFleet fleet_;
   const std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
 };
 
