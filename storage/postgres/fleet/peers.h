@@ -21,9 +21,9 @@ struct ServerRow {
   bool is_draining = false;
 };
 
-/// Judges which servers are alive by this process's own clock. A server is dead if its beat has not changed for a lease,
-/// provided that this process's own beats succeeded meanwhile. So a silent database makes no server dead. Makes no
-/// queries. Thread-safe.
+/// Judges which servers are alive by this process's own clock. A server is dead if its beat has not changed for a
+/// lease, provided that this process's own beats succeeded meanwhile. So a silent database makes no server dead. Makes
+/// no queries. Thread-safe.
 class Peers {
  public:
   /// `me`: this process. `time`: empty: the steady clock.
