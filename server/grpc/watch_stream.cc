@@ -54,8 +54,7 @@ void WatchStreams::BeatLoop() {
 WatchStream* WatchStream::Start(const ServiceContext& context, WatchStreams& streams,
                                 const v1::WatchMapRequest& request) {
   auto* stream = new WatchStream(context, streams, request);
-  if (const Status added = streams.Add(stream); !added.ok()) stream->End(added);
-  else context.lanes.watch.Post([stream] { stream->Begin(); });
+  context.lanes.watch.Post([stream] { stream->Begin(); });
   return stream;
 }
 
@@ -123,6 +122,7 @@ void WatchStream::Begin() {
 }
 
 Status WatchStream::Prepare() {
+  DHPMAP_RETURN_IF_ERROR(streams_.Add(this));
   DHPMAP_RETURN_IF_ERROR(WhyStop());
   DHPMAP_ASSIGN_OR_RETURN(const std::string name, ParseMapName(request_.map(), "map"));
   DHPMAP_ASSIGN_OR_RETURN(const WatchStart start, WatchStartFromProto(request_));
