@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "mapping/base/guarded.h"
-#include "storage/postgres/commit.h"
-#include "storage/postgres/incoming_map.h"
-#include "storage/postgres/lost_answer.h"
-#include "storage/postgres/map_head.h"
+#include "storage/postgres/commit/commit.h"
+#include "storage/postgres/owners/lost_answer.h"
+#include "storage/postgres/rows/map_head.h"
+#include "storage/postgres/transit/incoming_map.h"
 #include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {

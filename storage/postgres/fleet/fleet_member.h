@@ -15,7 +15,7 @@
 #include "storage/postgres/connection.h"
 #include "storage/postgres/fleet/fleet_rows.h"
 #include "storage/postgres/fleet/peers.h"
-#include "storage/postgres/map_ownership.h"
+#include "storage/postgres/owners/map_ownership.h"
 #include "storage/postgres/pool.h"
 
 namespace dhpmap::postgres {

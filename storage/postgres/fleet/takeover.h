@@ -6,8 +6,8 @@
 #include <string>
 
 #include "storage/postgres/connection.h"
-#include "storage/postgres/map_head.h"
-#include "storage/postgres/owned_map.h"
+#include "storage/postgres/owners/owned_map.h"
+#include "storage/postgres/rows/map_head.h"
 
 namespace dhpmap::postgres {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "storage/postgres/commit_places.h"
-#include "storage/postgres/later_state.h"
+#include "storage/postgres/commit/commit_places.h"
+#include "storage/postgres/following/later_state.h"
 #include "storage/postgres/pool.h"
 #include "storage/postgres_store.h"
 #include "tests/support/eventually.h"

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
-#include "storage/postgres/incoming_map.h"
 #include "storage/postgres/pool.h"
 #include "storage/postgres/removal.h"
+#include "storage/postgres/transit/incoming_map.h"
 #include "tests/support/cut_connection.h"
 #include "tests/support/eventually.h"
 #include "tests/support/places.h"

@@ -9,10 +9,10 @@
 #include <memory>
 #include <string>
 
-#include "storage/postgres/map_ownership.h"
+#include "storage/postgres/commit/writer.h"
+#include "storage/postgres/owners/map_ownership.h"
 #include "storage/postgres/pool.h"
 #include "storage/postgres/schema.h"
-#include "storage/postgres/writer.h"
 #include "tests/support/cut_connection.h"
 #include "tests/support/postgres_cluster.h"
 #include "tests/unit/storage/map_fixtures.h"

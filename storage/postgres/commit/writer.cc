@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/postgres/commit/writer.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "storage/commit/store_number.h"
+#include "storage/commit_rules.h"
+#include "storage/postgres/owners/lost_answer.h"
+#include "storage/postgres/postgres_error.h"
+#include "storage/postgres/removal.h"
+#include "storage/rows/map_parts.h"
+
+namespace dhpmap::postgres {
+namespace {
+
+constexpr char kCommitTask[] = "commit";
+constexpr int kMostSends = 6;
+
+Status NotMade(const std::string& map) { return Unavailable("map '" + map + "': the database takes no commit now"); }
+
+Status InDoubt(const std::string& map) {
+  return Unavailable("map '" + map + "': the database does not say what became of the last commit");
+}
+
+/// Whether the commit was acknowledged by all who have to: after a warning it may be on this node alone.
+bool IsAcknowledged(const Answers& answers) {
+  return answers.outcome == Outcome::kDone && !answers.has_warning && answers.answers.back().Tag() == "COMMIT";
+}
+
+}  // namespace
+
+Writer::Writer(Pool& pool, MapOwnership& maps, const KeepingLimits& limits, std::chrono::milliseconds patience)
+    : pool_(pool), maps_(maps), limits_(limits), patience_(patience), codec_threads_(NumCodecThreads()) {}
+
+Status Writer::Create(const MapSnapshot& snapshot) {
+  const std::string& name = snapshot.info().name;
+  DHPMAP_RETURN_IF_ERROR(ValidateMapName(name));
+  const std::shared_ptr<OwnedMap> map = maps_.New(name);
+  DHPMAP_ASSIGN_OR_RETURN(const CommitStatements statements,
+                          StatementsOfNew(snapshot, *map, maps_.server(), limits_, codec_threads_));
+  Answers done;
+  {
+    DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow());
+    done = connection->Run(statements.calls, "create the map");
+  }
+  if (done.status.code() == StatusCode::kAlreadyExists) {
+    return AlreadyExists("there is already a map '" + name + "'").WithReason("MAP_EXISTS");
+  }
+  if (done.outcome == Outcome::kRefused) return done.status;
+  if (!IsAcknowledged(done)) {
+    constexpr std::int64_t kFirstCommit = 1;
+    const Result<bool> was_made = WasMade(pool_, *map, kFirstCommit);
+    if (!was_made.ok()) return was_made.status().code() == StatusCode::kNotFound ? InDoubt(name) : was_made.status();
+  }
+  statements.written.TellTiles(map->number);
+  maps_.Add(map);
+  return Status::Ok();
+}
+
+Status Writer::Commit(const CommitRequest& request) {
+  DHPMAP_RETURN_IF_ERROR(ValidateCommit(request.before.info(), request.after.info()));
+  DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<OwnedMap> map,
+                          maps_.Own(request.before.info().name, MapOwnership::For::kWriting));
+  const MutexLock lock(map->mutex);
+  Status done = CommitOwned(*map, request);
+  if (done.reason() == Reason("NOT_OWNER")) return maps_.LoseAndAsk(*map);
+  if (done.code() == StatusCode::kNotFound) maps_.Lose(*map);
+  return done;
+}
+
+Status Writer::CommitOwned(OwnedMap& map, const CommitRequest& request) {
+  if (!map.doubt) return CommitFrom(map, request);
+  DHPMAP_ASSIGN_OR_RETURN(const bool was_made, Settle(map));
+  const Doubt doubt = *std::exchange(map.doubt, std::nullopt);
+  if (!was_made || doubt.after == nullptr) return CommitFrom(map, request);
+  // The caller has dropped the edit, which the store has: only who loads the map anew can go on from there.
+  if (doubt.is_edit) {
+    Status stale = ValidateBase(request.before.info(), doubt.after->revision(), doubt.after->info().create_time_ns);
+    return stale.ok() ? CommitFrom(map, request) : stale;
+  }
+  const bool is_from_before = request.before.revision() == doubt.revision_before;
+  if (is_from_before && request.edit == nullptr && request.after.revision() == doubt.after->revision()) {
+    return Status::Ok();  // of frames a revision is one state
+  }
+  // What the caller takes for the stored state is the one before: frames go on from the one that is stored.
+  const bool is_later = is_from_before && request.edit == nullptr && request.after.revision() > doubt.after->revision();
+  Status done = CommitFrom(map, is_later ? CommitRequest{*doubt.after, request.after} : request);
+  if (map.doubt) map.doubt->revision_before = doubt.revision_before;
+  else if (!done.ok()) map.doubt = doubt;  // known, and still not by the caller
+  return done;
+}
+
+Status Writer::CommitFrom(OwnedMap& map, const CommitRequest& request) {
+  const std::vector<SubmapTileChange> changes = DiffTiles(request.before, request.after);
+  const bool is_edit = request.edit != nullptr;
+  const PlannedChanges planned{
+      changes,
+      DiffFreeSpace(request.before, *request.after.free_space()),
+      DiffVacated(request.before, is_edit ? *request.after.noted_vacated() : *request.after.vacated()),
+      is_edit,
+      !is_edit && request.before.lacks_left(),
+      map.number};
+  FetchedState state;
+  DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, FetchOver(map, planned, state));
+  if (state.head.owner_epoch != map.epoch) return NotOwner(map.name);
+  const MapInfo& stored = state.head.row.info;
+  DHPMAP_RETURN_IF_ERROR(ValidateBase(request.before.info(), stored.revision, stored.create_time_ns));
+  DHPMAP_ASSIGN_OR_RETURN(const CommitStatements statements,
+                          StatementsOf(request, changes, map, limits_, codec_threads_, state));
+  const auto doubt = [&]() -> Doubt {
+    return {state.head.commit_id + 1, request.before.revision(), is_edit,
+            std::make_shared<const StateMarks>(request.after, &request.before, is_edit)};
+  };
+  Status done = Send(map, std::move(connection), statements.calls, doubt);
+  if (done.ok()) statements.written.TellTiles(map.number);
+  return done;
+}
+
+/// On a connection that may have been lost since it was used last: what is fetched is read, so once more on a new one.
+Result<Pool::Lease> Writer::FetchOver(const OwnedMap& map, const PlannedChanges& planned, FetchedState& state) {
+  for (bool is_second = false;; is_second = true) {
+    DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow(is_second));
+    Status fetched = Fetch(*connection, map.name, map.key, planned, state);
+    if (fetched.ok()) return Result<Pool::Lease>(std::move(connection));
+    if (is_second || !connection->IsBroken()) return fetched;
+  }
+}
+
+Status Writer::Send(OwnedMap& map, Pool::Lease first, const std::vector<Call>& calls,
+                    const std::function<Doubt()>& doubt) {
+  std::optional<Pool::Lease> connection(std::move(first));
+  for (int n = 0; n < kMostSends; ++n) {
+    if (!connection) {
+      DHPMAP_ASSIGN_OR_RETURN(Pool::Lease another, pool_.Borrow());
+      connection.emplace(std::move(another));
+    }
+    const Answers done = (*connection)->Run(calls, kCommitTask);
+    if (IsAcknowledged(done)) return Status::Ok();
+    if (done.outcome == Outcome::kRefused) {
+      if (IsFenced(done.sqlstate)) return NotOwner(map.name);
+      if (IsWorthRepeating(done.sqlstate)) continue;
+      return done.status;
+    }
+    connection.reset();  // before another is asked what became of it
+    map.doubt = doubt();
+    DHPMAP_ASSIGN_OR_RETURN(const bool was_made, SettleNow(map));
+    map.doubt.reset();
+    if (was_made) return Status::Ok();
+  }
+  return NotMade(map.name);
+}
+
+/// As long as somebody waits for it.
+Result<bool> Writer::SettleNow(OwnedMap& map) {
+  const auto end = std::chrono::steady_clock::now() + patience_;
+  for (;;) {
+    Result<bool> was_made = Settle(map);
+    const Status& why = was_made.status();
+    const bool is_silent = why.code() == StatusCode::kUnavailable && why.reason() != Reason("NOT_OWNER");
+    if (!is_silent || std::chrono::steady_clock::now() >= end) return was_made;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+}
+
+Result<bool> Writer::Settle(OwnedMap& map) { return WasMade(pool_, map, map.doubt->commit_id); }
+
+Status Writer::Reserve(const std::string& name, const NumberMarks& marks) {
+  DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<OwnedMap> map, maps_.Own(name, MapOwnership::For::kWriting));
+  const MutexLock lock(map->mutex);
+  Status done = ReserveOwned(*map, marks);
+  return done.reason() == Reason("NOT_OWNER") ? maps_.LoseAndAsk(*map) : done;
+}
+
+Status Writer::ReserveOwned(OwnedMap& map, const NumberMarks& marks) {
+  const std::string& name = map.name;
+  if (map.doubt) {
+    DHPMAP_ASSIGN_OR_RETURN(const bool was_made, Settle(map));
+    if (!was_made) map.doubt.reset();
+  }
+  DHPMAP_ASSIGN_OR_RETURN(const MapHead before, pool_.Read<MapHead>([&](Connection& connection) -> Result<MapHead> {
+    Call select{&HeadByKey()};
+    select.values.Add(map.key);
+    DHPMAP_ASSIGN_OR_RETURN(Answer answer, connection.Query(select, "reserve numbers"));
+    MapHead head;
+    if (!answer.Next()) return NoSuchMap(name);
+    if (!ReadHead(answer, head)) return DamagedRows(name, "its row has a wrong checksum");
+    return head;
+  }));
+  if (before.owner_epoch != map.epoch) return NotOwner(name);
+  MapHead after = before;
+  ++after.commit_id;
+  after.row.marks = marks;
+  RaiseMarks(after.row);
+  SealMapRow(after.row);
+  const std::vector<Call> calls = {{&BeginText()}, ReplaceHead(before, after), {&CommitText()}};
+  DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow());
+  if (map.doubt) {  // of a commit that was made: the next one has to know of it, whatever becomes of this one
+    const Answers done = connection->Run(calls, "reserve numbers");
+    if (!done.status.ok()) return done.status;
+    return IsAcknowledged(done) ? Status::Ok() : InDoubt(name);
+  }
+  return Send(map, std::move(connection), calls, [&]() -> Doubt {
+    return {after.commit_id, before.row.info.revision, false, nullptr};
+  });
+}
+
+Status Writer::Delete(const std::string& name) {
+  const Result<std::shared_ptr<OwnedMap>> owned = maps_.Own(name, MapOwnership::For::kLoading);
+  const auto remove = [&](std::optional<std::int64_t> epoch) -> Status {
+    DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow());
+    return RemoveMap(*connection, name, epoch);
+  };
+  if (owned.status().code() == StatusCode::kDataLoss) return remove(std::nullopt);  // its row does not say whose it is
+  if (!owned.ok()) return owned.status();
+  OwnedMap& map = **owned;
+  const MutexLock lock(map.mutex);
+  Status removed = remove(map.epoch);
+  if (removed.reason() == Reason("NOT_OWNER")) return maps_.LoseAndAsk(map);
+  if (removed.ok() || removed.code() == StatusCode::kNotFound) maps_.Drop(map);
+  return removed;
+}
+
+}  // namespace dhpmap::postgres

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mapping/base/thread_pool.h"
+#include "storage/postgres/commit/commit.h"
+#include "storage/postgres/owners/map_ownership.h"
+#include "storage/postgres/pool.h"
+
+namespace dhpmap::postgres {
+
+/// Writes maps that are ours. Thread-safe; commits of a map wait for each other, those of several maps do not.
+class Writer {
+ public:
+  /// All outlive it. `patience`: for learning what became of a commit whose answer was lost.
+  Writer(Pool& pool, MapOwnership& maps, const KeepingLimits& limits, std::chrono::milliseconds patience);
+
+  // As those of MapStore.
+  Status Create(const MapSnapshot& snapshot);
+  Status Commit(const CommitRequest& request);
+  Status Reserve(const std::string& name, const NumberMarks& marks);
+  Status Delete(const std::string& name);
+
+ private:
+  Status CommitOwned(OwnedMap& map, const CommitRequest& request) DHPMAP_REQUIRES(map.mutex);
+  Status ReserveOwned(OwnedMap& map, const NumberMarks& marks) DHPMAP_REQUIRES(map.mutex);
+  Status CommitFrom(OwnedMap& map, const CommitRequest& request) DHPMAP_REQUIRES(map.mutex);
+  Result<Pool::Lease> FetchOver(const OwnedMap& map, const PlannedChanges& planned, FetchedState& state);
+  /// Sends it, repeats what the database asks to repeat, and settles what nobody knows.
+  Status Send(OwnedMap& map, Pool::Lease first, const std::vector<Call>& calls, const std::function<Doubt()>& doubt)
+      DHPMAP_REQUIRES(map.mutex);
+  Result<bool> SettleNow(OwnedMap& map) DHPMAP_REQUIRES(map.mutex);
+  /// Whether the commit in doubt was made.
+  Result<bool> Settle(OwnedMap& map) DHPMAP_REQUIRES(map.mutex);
+
+  Pool& pool_;
+  MapOwnership& maps_;
+  const KeepingLimits& limits_;
+  const std::chrono::milliseconds patience_;
+  ThreadPool codec_threads_;
+};
+
+}  // namespace dhpmap::postgres
