@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/postgres/postgres_error.h"
 
+#include <libpq-fe.h>
+
 #include <utility>
 
 namespace dhpmap::postgres {
@@ -23,6 +25,11 @@ StatusCode CodeOf(std::string_view sqlstate) {
 Status ErrorFrom(std::string_view sqlstate, std::string_view task, std::string said) {
   return Status(CodeOf(sqlstate), "cannot " + std::string(task) + " (PostgreSQL " + std::string(sqlstate) + ")")
       .WithCause(std::move(said));
+}
+
+std::string SqlStateOf(const pg_result* result) {
+  const char* state = PQresultErrorField(result, PG_DIAG_SQLSTATE);
+  return state == nullptr ? "" : state;
 }
 
 Status ConnectionLost(std::string_view task, std::string said) {

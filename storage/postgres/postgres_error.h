@@ -6,11 +6,15 @@
 
 #include "mapping/base/status.h"
 
+struct pg_result;
+
 namespace dhpmap::postgres {
 
 /// The status of an error that the server reported. `task` completes "cannot ...". Messages never hold SQL, names of
 /// tables, hosts or users: what the server said is the cause, for logs.
 Status ErrorFrom(std::string_view sqlstate, std::string_view task, std::string said);
+/// The SQLSTATE of a result that is an error; empty if it has none.
+std::string SqlStateOf(const pg_result* result);
 /// Of a connection that is gone, or never was.
 Status ConnectionLost(std::string_view task, std::string said);
 

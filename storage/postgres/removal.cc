@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "mapping/base/guarded.h"
-#include "storage/postgres/commit/commit.h"
 #include "storage/postgres/owners/lost_answer.h"
 #include "storage/postgres/rows/map_head.h"
+#include "storage/postgres/transaction_text.h"
 #include "storage/postgres/transit/incoming_map.h"
 #include "storage/rows/map_parts.h"
 

@@ -7,46 +7,20 @@
 #include <utility>
 #include <vector>
 
-#include "storage/codec/envelope.h"
 #include "storage/postgres/check/repair_history.h"
+#include "storage/postgres/check/repair_tiles.h"
 #include "storage/postgres/check/resealed_submap.h"
 #include "storage/postgres/check/rows_to_verify.h"
-#include "storage/postgres/commit/commit.h"
-#include "storage/postgres/commit/tile_writes.h"
 #include "storage/postgres/owners/lost_answer.h"
+#include "storage/postgres/transaction_text.h"
 
 namespace dhpmap::postgres {
 namespace {
 
 constexpr char kRepairTask[] = "repair the map";
 const std::string kLockMap = "SELECT owner_epoch, commit_id FROM maps WHERE map_key = $1 FOR UPDATE";
-const std::string kDropTile =
-    "DELETE FROM tiles WHERE map_key = $1 AND owner_id = $2 AND x = $3 AND y = $4 AND z = $5 AND (layer = $6 OR $7 <> "
-    "0)";
-const std::string kDropSubmap = "DELETE FROM submaps WHERE map_key = $1 AND submap_id = $2";
-const std::string kDropStrayTiles =
-    "DELETE FROM tiles WHERE map_key = $1 AND owner_id >= 0 AND owner_id NOT IN (SELECT s.submap_id FROM submaps s "
-    "WHERE "
-    "s.map_key = $1)";
-const std::string kSizeTiles =
-    "UPDATE tiles t SET num_bytes = octet_length(b.blob) FROM tile_blobs b WHERE t.map_key = $1 AND b.map_key = "
-    "t.map_key AND b.blob_key = t.blob_key AND t.num_bytes <> octet_length(b.blob)";
 const std::string kSilentOwners =
     "SELECT DISTINCT owner_id FROM tiles WHERE map_key = $1 AND owner_id >= 0 AND cells = 0";
-const std::string kForgetCounts = "DELETE FROM blob_counts WHERE map_key = $1";
-const std::string kCountAnew =
-    "INSERT INTO blob_counts (map_key, blob_key, num_refs, since_ns) SELECT $1, b.blob_key, coalesce(r.n, 0), $2 FROM "
-    "tile_blobs b LEFT JOIN (SELECT a.blob_key, count(*) AS n FROM (SELECT blob_key FROM tiles WHERE map_key = $1 "
-    "UNION "
-    "ALL SELECT before_key FROM edit_tiles WHERE map_key = $1 UNION ALL SELECT after_key FROM edit_tiles WHERE map_key "
-    "= "
-    "$1) a GROUP BY a.blob_key) r ON r.blob_key = b.blob_key WHERE b.map_key = $1 AND coalesce(r.n, 0) <> 1";
-/// What belongs to no map goes as a removed one does.
-const std::string kRemoveLost =
-    "INSERT INTO removed_maps (map_key) SELECT k.map_key FROM (SELECT map_key FROM map_config UNION SELECT map_key "
-    "FROM "
-    "submaps) k WHERE NOT EXISTS (SELECT 1 FROM maps m WHERE m.map_key = k.map_key) AND NOT EXISTS (SELECT 1 FROM "
-    "incoming_maps m WHERE m.map_key = k.map_key) ON CONFLICT DO NOTHING";
 
 Call CallOf(const std::string& text, std::int64_t map_key) {
   Call call{&text};
@@ -62,7 +36,7 @@ class Repairer {
   /// Within a transaction; leaves it to be committed.
   Result<MapHead> Run() {
     DHPMAP_RETURN_IF_ERROR(Lock());
-    DHPMAP_RETURN_IF_ERROR(Drop());
+    DHPMAP_RETURN_IF_ERROR(RunAll(CallsToDrop(map_.key, found_)));
     DHPMAP_ASSIGN_OR_RETURN(MapRow map, rows_.ReadMapRow());
     std::vector<SubmapRow> damaged;
     DHPMAP_ASSIGN_OR_RETURN(const std::vector<SubmapRow> submaps, rows_.ReadSubmapRows(damaged));
@@ -74,9 +48,7 @@ class Repairer {
     }
     DHPMAP_RETURN_IF_ERROR(RunAll(CallsForHistory(map_.key, found_.history, found_.IsStateWrong())));
     DHPMAP_RETURN_IF_ERROR(NoteTargets(connection_, map_.key));
-    Call count = CallOf(kCountAnew, map_.key);
-    count.values.Add(map_.Now_ns());
-    DHPMAP_RETURN_IF_ERROR(RunAll({CallOf(kForgetCounts, map_.key), std::move(count), {&kRemoveLost}}));
+    DHPMAP_RETURN_IF_ERROR(RunAll(CallsToCount(map_.key, map_.Now_ns())));
     return HeadAfter(std::move(map), submaps);
   }
 
@@ -93,22 +65,6 @@ class Repairer {
     if (answer.Int() == verified_.head.commit_id) return Status::Ok();
     return FailedPrecondition("map '" + map_.name + "' was written to since it was verified")
         .WithReason("STALE_REVISION");
-  }
-
-  Status Drop() {
-    std::vector<Call> calls;
-    for (const BadTile& bad : found_.bad_tiles) {
-      // With a TSDF all of the tile goes: labels of nothing, and what is gone of it, say nothing.
-      const bool is_all = bad.layer == LayerNumber(BlobKind::kTsdfTile);
-      Values& values = calls.emplace_back(CallOf(kDropTile, map_.key)).values;
-      values.Add(bad.owner_key).Add(bad.index.x).Add(bad.index.y).Add(bad.index.z).Add(bad.layer).Add(is_all ? 1 : 0);
-    }
-    for (const std::int64_t id : found_.bad_submaps) {
-      calls.emplace_back(CallOf(kDropSubmap, map_.key)).values.Add(id);
-    }
-    calls.push_back(CallOf(kDropStrayTiles, map_.key));
-    calls.push_back(CallOf(kSizeTiles, map_.key));
-    return RunAll(calls);
   }
 
   /// Those that were found, and those of which a tile does not say its cells.

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "storage/postgres/commit/tile_writes.h"
 #include "storage/postgres/rows/table_text.h"
+#include "storage/postgres/rows/tile_owner.h"
 #include "storage/rows/submap_rows.h"
 
 namespace dhpmap::postgres {

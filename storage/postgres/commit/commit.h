@@ -5,27 +5,12 @@
 #include <vector>
 
 #include "mapping/base/thread_pool.h"
-#include "mapping/changes/state_marks.h"
+#include "storage/postgres/commit/commit_request.h"
 #include "storage/postgres/commit/fetched_state.h"
 #include "storage/postgres/owners/owned_map.h"
 #include "storage/snapshot_writer.h"
-#include "storage/store.h"
 
 namespace dhpmap::postgres {
-
-/// What bounds the logs of maps, and what is deleted when.
-struct KeepingLimits {
-  ChangeHistoryLimits changes = {};
-  EditLogLimits edits = {};
-  double dead_grace_s = 600;  ///< blobs that nobody refers to stay so long, for who still reads an old state
-};
-
-/// A commit: its two states, and the edit that made the second (null: none).
-struct CommitRequest {
-  const StateMarks& before;
-  const MapSnapshot& after;
-  const EditRecord* edit = nullptr;
-};
 
 /// A commit as statements, from BEGIN to COMMIT, to be sent in one go.
 struct CommitStatements {
@@ -42,8 +27,5 @@ Result<CommitStatements> StatementsOf(const CommitRequest& request, const std::v
 /// The statements that add a map with that key, owned by `owner`.
 Result<CommitStatements> StatementsOfNew(const MapSnapshot& snapshot, const OwnedMap& map, std::int64_t owner,
                                          const KeepingLimits& limits, ThreadPool& pool);
-
-const std::string& BeginText();
-const std::string& CommitText();
 
 }  // namespace dhpmap::postgres

@@ -6,68 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "storage/postgres/rows/table_text.h"
-
 namespace dhpmap::postgres {
 namespace {
 
-const std::string kCountBlobs =
-    "INSERT INTO blob_counts AS c (map_key, blob_key, num_refs, since_ns) SELECT $1, d.blob_key, 1 + d.num, $4 FROM "
-    "unnest($2, $3) AS d (blob_key, num) ON CONFLICT (map_key, blob_key) DO UPDATE SET num_refs = c.num_refs + "
-    "excluded.num_refs - 1, since_ns = excluded.since_ns";
 const std::string kInsertBlob = "INSERT INTO tile_blobs (blob_key, num_blocks, blob, map_key) VALUES ($1, $2, $3, $4)";
-const std::string kPutTile =
-    "INSERT INTO tiles (map_key, owner_id, x, y, z, layer, blob_key, num_bytes, cells, extent) VALUES ($1, $2, $3, $4, "
-    "$5, $6, $7, $8, $9, $10) ON CONFLICT (map_key, owner_id, x, y, z, layer) DO UPDATE SET blob_key = "
-    "excluded.blob_key, num_bytes = excluded.num_bytes, cells = excluded.cells, extent = excluded.extent";
-const std::string kEraseTile =
-    "DELETE FROM tiles WHERE map_key = $1 AND owner_id = $2 AND x = $3 AND y = $4 AND z = $5 AND layer = $6";
-const std::string kEraseOwner = "DELETE FROM tiles WHERE map_key = $1 AND owner_id = $2";
-const std::string kEraseSubmap = "DELETE FROM submaps WHERE map_key = $1 AND submap_id = $2";
 
 }  // namespace
-
-const std::string& TilesByPlace() {
-  // OFFSET 0: one look-up by key for each, whatever the planner believes of their number.
-  static const std::string text =
-      "SELECT t.owner_id, t.x, t.y, t.z, t.layer, t.blob_key, t.num_bytes, t.cells, t.extent FROM unnest($2, $3, $4, "
-      "$5) "
-      "AS w (owner_id, x, y, z) CROSS JOIN LATERAL (SELECT * FROM tiles s WHERE s.map_key = $1 AND s.owner_id = "
-      "w.owner_id AND s.x = w.x AND s.y = w.y AND s.z = w.z OFFSET 0) t";
-  return text;
-}
-
-const std::string& TilesByOwner() {
-  static const std::string text =
-      "SELECT owner_id, x, y, z, layer, blob_key, num_bytes, cells, extent FROM tiles WHERE map_key = $1 AND owner_id "
-      "= "
-      "ANY ($2)";
-  return text;
-}
-
-const std::string& SubmapsById() {
-  static const std::string text = SelectText(Submaps(), "WHERE map_key = $1 AND submap_id = ANY ($2)");
-  return text;
-}
-
-const std::string& BlobsByKey() {
-  static const std::string text =
-      "SELECT blob_key, num_blocks, octet_length(blob) FROM tile_blobs WHERE map_key = $1 AND blob_key = ANY ($2)";
-  return text;
-}
-
-void BlobCounts::Write(std::int64_t map_key, std::int64_t now_ns, std::vector<Call>& calls) const {
-  std::vector<std::int64_t> keys, numbers;
-  for (const auto& [key, number] : changes_) {
-    if (number == 0) continue;
-    keys.push_back(key);
-    numbers.push_back(number);
-  }
-  if (keys.empty()) return;
-  Call& call = calls.emplace_back(Call{&kCountBlobs});
-  call.values.Add(map_key).Add(std::span<const std::int64_t>(keys)).Add(std::span<const std::int64_t>(numbers));
-  call.values.Add(now_ns);
-}
 
 void TileWrites::Fetched(Answer& tiles) {
   while (tiles.Next()) {
@@ -184,72 +128,6 @@ std::vector<TileWrites::Row> TileWrites::RowsOf(std::int64_t owner_key) const {
     rows.push_back({{place.x, place.y, place.z}, place.layer, tile->second.blob.key});
   }
   return rows;
-}
-
-void TileWrites::Write(std::int64_t map_key, std::int64_t now_ns, std::vector<Call>& calls) {
-  for (Call& blob : blob_calls_) {
-    blob.values.Add(map_key);
-    calls.push_back(std::move(blob));
-  }
-  for (const std::int64_t owner : erased_owners_) {
-    calls.emplace_back(Call{&kEraseOwner}).values.Add(map_key).Add(owner);
-  }
-  for (const auto& [place, tile] : tiles_) {
-    if (!tile.IsToBeWritten()) continue;
-    const bool is_erased = tile.blob.key == 0;
-    Values& values = calls.emplace_back(Call{is_erased ? &kEraseTile : &kPutTile}).values;
-    values.Add(map_key).Add(place.owner).Add(place.x).Add(place.y).Add(place.z).Add(place.layer);
-    if (is_erased) continue;
-    values.Add(tile.blob.key).Add(tile.blob.bytes).Add(static_cast<std::int64_t>(tile.blob.cells));
-    values.Add(static_cast<std::int64_t>(tile.blob.extent));
-  }
-  counts_.Write(map_key, now_ns, calls);
-}
-
-void TileWrites::AddTo(CommitPlaces& places) const {
-  for (const std::int64_t owner : erased_owners_) places.Empty(owner);
-  for (const auto& [place, tile] : tiles_) {
-    if (tile.IsToBeWritten()) places.AddTile(place.owner, {place.x, place.y, place.z}, place.layer);
-  }
-}
-
-void SubmapWrites::Fetched(Answer& submaps) {
-  while (submaps.Next()) {
-    SubmapRow row;
-    (void)ReadRow(Submaps(), submaps, row);  // a damaged row is written anew, as the state in memory is whole
-    stored_[row.info.id.value] = row;
-  }
-}
-
-Result<std::optional<SubmapTable::Stored>> SubmapWrites::Find(std::int64_t, SubmapId id) {
-  const auto found = stored_.find(id.value);
-  if (found == stored_.end()) return std::optional<Stored>();
-  const SubmapRow& row = found->second;
-  return std::optional(Stored{std::int64_t{id.value}, row.counts, row.tiles_sum, row.CoversTiles()});
-}
-
-Result<std::int64_t> SubmapWrites::Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
-                                         std::int64_t tiles_sum) {
-  const std::int64_t key = submap.id().value;
-  written_[key] = SubmapRowOf(map_key, submap, counts, tiles_sum);
-  return key;
-}
-
-Status SubmapWrites::Erase(std::int64_t submap_key) {
-  erased_.push_back(submap_key);
-  tiles_.EraseAll(submap_key);
-  return Status::Ok();
-}
-
-void SubmapWrites::Write(std::int64_t map_key, std::vector<Call>& calls) const {
-  static const std::string upsert = UpsertText(Submaps());
-  for (const std::int64_t id : erased_) calls.emplace_back(Call{&kEraseSubmap}).values.Add(map_key).Add(id);
-  for (const auto& entry : written_) Submaps().BindAll(entry.second, calls.emplace_back(Call{&upsert}).values);
-}
-
-void SubmapWrites::AddTo(CommitPlaces& places) const {
-  for (const std::int64_t id : erased_) places.AddRow(id);
-  for (const auto& entry : written_) places.AddRow(entry.first);
 }
 
 }  // namespace dhpmap::postgres

@@ -9,27 +9,11 @@
 
 #include "storage/commit/state_tables.h"
 #include "storage/postgres/answer.h"
+#include "storage/postgres/commit/blob_counts.h"
 #include "storage/postgres/commit/commit_places.h"
 #include "storage/postgres/values.h"
-#include "storage/rows/submap_rows.h"
 
 namespace dhpmap::postgres {
-
-/// Column tiles.owner_id of what belongs to the map itself; of a submap it is the id.
-inline constexpr std::int64_t kMapsOwner = -1;
-
-/// How many more refer to each blob after a commit.
-class BlobCounts {
- public:
-  void Add(std::int64_t blob_key, std::int64_t num) {
-    if (blob_key != 0) changes_[blob_key] += num;
-  }
-  /// `now_ns`: since when who has no reference left has none.
-  void Write(std::int64_t map_key, std::int64_t now_ns, std::vector<Call>& calls) const;
-
- private:
-  std::map<std::int64_t, std::int64_t> changes_;
-};
 
 /// Tiles and submaps of a map during a commit: what was fetched of them, and what is to be written. Asked for a row
 /// that was not fetched it answers as if there were none, so all that a commit may ask for must have been.
@@ -98,35 +82,5 @@ class TileWrites final : public TileTable {
   std::vector<std::int64_t> erased_owners_;
   BlobCounts counts_;
 };
-
-/// The submaps' rows during a commit.
-class SubmapWrites final : public SubmapTable {
- public:
-  /// `tiles` outlives it.
-  explicit SubmapWrites(TileWrites& tiles) : tiles_(tiles) {}
-
-  void Fetched(Answer& submaps);
-  Result<std::optional<Stored>> Find(std::int64_t map_key, SubmapId id) override;
-  Result<std::int64_t> Write(std::int64_t map_key, const Submap& submap, const SubmapCounts& counts,
-                             std::int64_t tiles_sum) override;
-  Status Erase(std::int64_t submap_key) override;
-
-  void Write(std::int64_t map_key, std::vector<Call>& calls) const;
-  /// As TileWrites::AddTo.
-  void AddTo(CommitPlaces& places) const;
-
- private:
-  TileWrites& tiles_;
-  std::map<std::int64_t, SubmapRow> stored_, written_;
-  std::vector<std::int64_t> erased_;
-};
-
-/// SELECT of the columns that TileWrites::Fetched reads: of tiles named by four arrays ($2 to $5), and of all tiles of
-/// owners ($2).
-const std::string& TilesByPlace();
-const std::string& TilesByOwner();
-/// Of submaps by id ($2), and of blobs by key ($2).
-const std::string& SubmapsById();
-const std::string& BlobsByKey();
 
 }  // namespace dhpmap::postgres

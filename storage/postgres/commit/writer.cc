@@ -1,40 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/postgres/commit/writer.h"
 
-#include <functional>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 
-#include "storage/commit/store_number.h"
 #include "storage/commit_rules.h"
 #include "storage/postgres/owners/lost_answer.h"
-#include "storage/postgres/postgres_error.h"
 #include "storage/postgres/removal.h"
-#include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {
-namespace {
-
-constexpr char kCommitTask[] = "commit";
-constexpr int kMostSends = 6;
-
-Status NotMade(const std::string& map) { return Unavailable("map '" + map + "': the database takes no commit now"); }
-
-Status InDoubt(const std::string& map) {
-  return Unavailable("map '" + map + "': the database does not say what became of the last commit");
-}
-
-/// Whether the commit was acknowledged by all who have to: after a warning it may be on this node alone.
-bool IsAcknowledged(const Answers& answers) {
-  return answers.outcome == Outcome::kDone && !answers.has_warning && answers.answers.back().Tag() == "COMMIT";
-}
-
-}  // namespace
-
 Writer::Writer(Pool& pool, MapOwnership& maps, const KeepingLimits& limits, std::chrono::milliseconds patience)
-    : pool_(pool), maps_(maps), limits_(limits), patience_(patience), codec_threads_(NumCodecThreads()) {}
+    : pool_(pool), maps_(maps), limits_(limits), sender_(pool, patience), codec_threads_(NumCodecThreads()) {}
 
 Status Writer::Create(const MapSnapshot& snapshot) {
   const std::string& name = snapshot.info().name;
@@ -74,7 +51,7 @@ Status Writer::Commit(const CommitRequest& request) {
 
 Status Writer::CommitOwned(OwnedMap& map, const CommitRequest& request) {
   if (!map.doubt) return CommitFrom(map, request);
-  DHPMAP_ASSIGN_OR_RETURN(const bool was_made, Settle(map));
+  DHPMAP_ASSIGN_OR_RETURN(const bool was_made, sender_.Settle(map));
   const Doubt doubt = *std::exchange(map.doubt, std::nullopt);
   if (!was_made || doubt.after == nullptr) return CommitFrom(map, request);
   // The caller has dropped the edit, which the store has: only who loads the map anew can go on from there.
@@ -115,7 +92,7 @@ Status Writer::CommitFrom(OwnedMap& map, const CommitRequest& request) {
     return {state.head.commit_id + 1, request.before.revision(), is_edit,
             std::make_shared<const StateMarks>(request.after, &request.before, is_edit)};
   };
-  Status done = Send(map, std::move(connection), statements.calls, doubt);
+  Status done = sender_.Send(map, std::move(connection), statements.calls, doubt);
   if (done.ok()) statements.written.TellTiles(map.number);
   return done;
 }
@@ -128,84 +105,6 @@ Result<Pool::Lease> Writer::FetchOver(const OwnedMap& map, const PlannedChanges&
     if (fetched.ok()) return Result<Pool::Lease>(std::move(connection));
     if (is_second || !connection->IsBroken()) return fetched;
   }
-}
-
-Status Writer::Send(OwnedMap& map, Pool::Lease first, const std::vector<Call>& calls,
-                    const std::function<Doubt()>& doubt) {
-  std::optional<Pool::Lease> connection(std::move(first));
-  for (int n = 0; n < kMostSends; ++n) {
-    if (!connection) {
-      DHPMAP_ASSIGN_OR_RETURN(Pool::Lease another, pool_.Borrow());
-      connection.emplace(std::move(another));
-    }
-    const Answers done = (*connection)->Run(calls, kCommitTask);
-    if (IsAcknowledged(done)) return Status::Ok();
-    if (done.outcome == Outcome::kRefused) {
-      if (IsFenced(done.sqlstate)) return NotOwner(map.name);
-      if (IsWorthRepeating(done.sqlstate)) continue;
-      return done.status;
-    }
-    connection.reset();  // before another is asked what became of it
-    map.doubt = doubt();
-    DHPMAP_ASSIGN_OR_RETURN(const bool was_made, SettleNow(map));
-    map.doubt.reset();
-    if (was_made) return Status::Ok();
-  }
-  return NotMade(map.name);
-}
-
-/// As long as somebody waits for it.
-Result<bool> Writer::SettleNow(OwnedMap& map) {
-  const auto end = std::chrono::steady_clock::now() + patience_;
-  for (;;) {
-    Result<bool> was_made = Settle(map);
-    const Status& why = was_made.status();
-    const bool is_silent = why.code() == StatusCode::kUnavailable && why.reason() != Reason("NOT_OWNER");
-    if (!is_silent || std::chrono::steady_clock::now() >= end) return was_made;
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  }
-}
-
-Result<bool> Writer::Settle(OwnedMap& map) { return WasMade(pool_, map, map.doubt->commit_id); }
-
-Status Writer::Reserve(const std::string& name, const NumberMarks& marks) {
-  DHPMAP_ASSIGN_OR_RETURN(const std::shared_ptr<OwnedMap> map, maps_.Own(name, MapOwnership::For::kWriting));
-  const MutexLock lock(map->mutex);
-  Status done = ReserveOwned(*map, marks);
-  return done.reason() == Reason("NOT_OWNER") ? maps_.LoseAndAsk(*map) : done;
-}
-
-Status Writer::ReserveOwned(OwnedMap& map, const NumberMarks& marks) {
-  const std::string& name = map.name;
-  if (map.doubt) {
-    DHPMAP_ASSIGN_OR_RETURN(const bool was_made, Settle(map));
-    if (!was_made) map.doubt.reset();
-  }
-  DHPMAP_ASSIGN_OR_RETURN(const MapHead before, pool_.Read<MapHead>([&](Connection& connection) -> Result<MapHead> {
-    Call select{&HeadByKey()};
-    select.values.Add(map.key);
-    DHPMAP_ASSIGN_OR_RETURN(Answer answer, connection.Query(select, "reserve numbers"));
-    MapHead head;
-    if (!answer.Next()) return NoSuchMap(name);
-    if (!ReadHead(answer, head)) return DamagedRows(name, "its row has a wrong checksum");
-    return head;
-  }));
-  if (before.owner_epoch != map.epoch) return NotOwner(name);
-  MapHead after = before;
-  ++after.commit_id;
-  after.row.marks = marks;
-  RaiseMarks(after.row);
-  SealMapRow(after.row);
-  const std::vector<Call> calls = {{&BeginText()}, ReplaceHead(before, after), {&CommitText()}};
-  DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow());
-  if (map.doubt) {  // of a commit that was made: the next one has to know of it, whatever becomes of this one
-    const Answers done = connection->Run(calls, "reserve numbers");
-    if (!done.status.ok()) return done.status;
-    return IsAcknowledged(done) ? Status::Ok() : InDoubt(name);
-  }
-  return Send(map, std::move(connection), calls, [&]() -> Doubt {
-    return {after.commit_id, before.row.info.revision, false, nullptr};
-  });
 }
 
 Status Writer::Delete(const std::string& name) {

@@ -3,13 +3,12 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "mapping/base/thread_pool.h"
 #include "storage/postgres/commit/commit.h"
+#include "storage/postgres/commit/commit_sender.h"
 #include "storage/postgres/owners/map_ownership.h"
 #include "storage/postgres/pool.h"
 
@@ -32,17 +31,11 @@ class Writer {
   Status ReserveOwned(OwnedMap& map, const NumberMarks& marks) DHPMAP_REQUIRES(map.mutex);
   Status CommitFrom(OwnedMap& map, const CommitRequest& request) DHPMAP_REQUIRES(map.mutex);
   Result<Pool::Lease> FetchOver(const OwnedMap& map, const PlannedChanges& planned, FetchedState& state);
-  /// Sends it, repeats what the database asks to repeat, and settles what nobody knows.
-  Status Send(OwnedMap& map, Pool::Lease first, const std::vector<Call>& calls, const std::function<Doubt()>& doubt)
-      DHPMAP_REQUIRES(map.mutex);
-  Result<bool> SettleNow(OwnedMap& map) DHPMAP_REQUIRES(map.mutex);
-  /// Whether the commit in doubt was made.
-  Result<bool> Settle(OwnedMap& map) DHPMAP_REQUIRES(map.mutex);
 
   Pool& pool_;
   MapOwnership& maps_;
   const KeepingLimits& limits_;
-  const std::chrono::milliseconds patience_;
+  CommitSender sender_;
   ThreadPool codec_threads_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "storage/postgres/commit/commit.h"
+#include "storage/postgres/transaction_text.h"
 #include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {

@@ -9,7 +9,10 @@
 #include "storage/postgres/commit/commit_places.h"
 #include "storage/postgres/following/state_patch.h"
 #include "storage/postgres/reading/map_reader.h"
+#include "storage/postgres/reading/one_state.h"
 #include "storage/postgres/rows/map_head.h"
+#include "storage/postgres/rows/part_rows.h"
+#include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {
 namespace {

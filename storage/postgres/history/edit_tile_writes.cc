@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage/postgres/history/edit_writes.h"
+#include "storage/postgres/history/edit_tile_writes.h"
 
 namespace dhpmap::postgres {
 namespace {

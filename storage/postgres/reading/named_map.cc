@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "storage/postgres/reading/map_reader.h"
+#include "storage/postgres/rows/part_rows.h"
 
 namespace dhpmap::postgres {
 

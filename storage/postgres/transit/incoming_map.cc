@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "mapping/map/history_id.h"
-#include "storage/postgres/commit/commit.h"
 #include "storage/postgres/postgres_error.h"
+#include "storage/postgres/transaction_text.h"
 
 namespace dhpmap::postgres {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "storage/files/map_file.h"
 #include "storage/files/new_map_file.h"
-#include "storage/postgres/reading/map_reader.h"
 #include "storage/postgres/reading/named_map.h"
+#include "storage/postgres/reading/one_state.h"
 #include "storage/postgres/rows/table_text.h"
 #include "storage/rows/submap_rows.h"
 

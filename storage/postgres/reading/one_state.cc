@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storage/postgres/reading/one_state.h"
+
+namespace dhpmap::postgres {
+namespace {
+
+constexpr char kOneStateTask[] = "read the map";
+
+}  // namespace
+
+Result<OneState> OneState::Begin(Connection& connection) {
+  DHPMAP_RETURN_IF_ERROR(connection.Execute("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY", kOneStateTask));
+  return OneState(connection);
+}
+
+OneState::~OneState() {
+  if (connection_ != nullptr && !connection_->IsBroken()) (void)connection_->Execute("COMMIT", kOneStateTask);
+}
+
+}  // namespace dhpmap::postgres
