@@ -12,8 +12,8 @@ struct pg_result;
 
 namespace dhpmap::postgres {
 
-/// The rows that a statement gave, in binary form. `while (answer.Next()) answer.Int()...`: the columns of a row in
-/// order. Views are valid as long as the answer. Move-only; thread-compatible.
+/// The rows of a statement's result, in binary form. `while (answer.Next()) answer.Int()...` reads the columns of each
+/// row in order. Views stay valid while the answer lives. Move-only; thread-compatible.
 class Answer final : public RowColumns {
  public:
   /// Takes over `result`; null: no rows.
@@ -23,12 +23,12 @@ class Answer final : public RowColumns {
   bool Next();
   [[nodiscard]] int num_rows() const;
   [[nodiscard]] const pg_result* result() const { return result_.get(); }
-  /// Rows that an INSERT, UPDATE or DELETE wrote.
+  /// Number of rows that an INSERT, UPDATE or DELETE wrote.
   [[nodiscard]] std::int64_t NumChanged() const;
-  /// What the server says that it did: "COMMIT".
+  /// The server's command tag, such as "COMMIT".
   [[nodiscard]] std::string Tag() const;
 
-  /// Of smallint, integer, bigint or boolean.
+  /// Reads a smallint, integer, bigint or boolean.
   std::int64_t Int() override;
   double Real() override;
   std::string Text() override;

@@ -18,15 +18,15 @@ struct pg_conn;
 
 namespace dhpmap::postgres {
 
-/// How statements ended. A write was refused (nothing of it is stored), done, or nobody knows.
+/// How statements ended: refused (nothing is stored), done, or unknown because the answer was lost.
 enum class Outcome { kDone, kRefused, kUnknown };
 
-/// What a pipeline of statements gave.
+/// The results of a pipeline of statements.
 struct Answers {
   Outcome outcome = Outcome::kDone;
   Status status;
   std::string sqlstate;         ///< of the server's error; empty without
-  bool has_warning = false;     ///< the server warned: with a COMMIT it may not be on the standbys
+  bool has_warning = false;     ///< with a COMMIT: it may not be on the standbys
   std::vector<Answer> answers;  ///< of each statement, if it is done
 };
 
@@ -35,7 +35,7 @@ struct ConnectionOptions {
   std::string url;                             ///< postgresql://... ; never in messages
   std::string schema = "dhpmap";               ///< of the tables: letters, digits and _
   std::string application = "dhpmap-server";   ///< as the database server lists it: as the schema's name, or -
-  std::chrono::milliseconds patience{30'000};  ///< for any answer; by the steady clock
+  std::chrono::milliseconds patience{30'000};  ///< waits this long for any answer, by the steady clock
 };
 
 /// A connection to a PostgreSQL server: statements are prepared when first used, sent in one go and answered in one
@@ -43,28 +43,28 @@ struct ConnectionOptions {
 class Connection {
  public:
   static Result<Connection> Open(const ConnectionOptions& options);
-  /// For reading that may pause in a transaction: the server ends others when they are idle in one for 2 s.
+  /// Allows pauses within a read transaction. The server ends other connections that stay idle in one for 2 s.
   static Result<Connection> OpenForLong(const ConnectionOptions& options);
 
-  /// Sends all statements at once and waits for all answers. After the first error none of the others has run, and the
+  /// Sends all statements at once and waits for all answers. After an error the later statements do not run, and the
   /// transaction is rolled back. `task` completes "cannot ...".
   Answers Run(std::span<const Call> calls, const char* task);
-  /// One statement that reads.
+  /// Runs one statement that reads.
   Result<Answer> Query(const Call& call, const char* task);
-  /// One statement, whose rows are visited as they come: its memory is that of a row. `visit` may end it by an error.
+  /// Runs one statement and visits each row as it arrives, with the memory of one row. An error from `visit` ends it.
   Status Stream(const Call& call, const char* task, const std::function<Status(Answer& row)>& visit);
-  /// Texts without parameters, one or more. For schemas and settings.
+  /// Runs one or more statements without parameters, for schemas and settings.
   Status Execute(const std::string& sql, const char* task);
 
   [[nodiscard]] bool IsBroken() const;
-  /// Pipelines that were sent and waited for, rollbacks included.
+  /// Number of round trips so far, rollbacks included.
   [[nodiscard]] std::int64_t num_round_trips() const { return state_->num_round_trips; }
 
  private:
   struct Closer {
     void operator()(pg_conn* connection) const;
   };
-  /// What libpq's callbacks write to, so at a fixed place.
+  /// libpq's callbacks write to it, so its address is fixed.
   struct State {
     bool has_warning = false;
     std::int64_t num_round_trips = 0;

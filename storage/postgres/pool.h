@@ -11,8 +11,8 @@
 
 namespace dhpmap::postgres {
 
-/// Connections, each used by one thread at a time and opened on demand; as many as are wanted at once, up to
-/// `max_connections`, beyond which Borrow waits. Thread-safe.
+/// Up to `max_connections` connections, opened on demand, each used by one thread at a time. If all are borrowed,
+/// Borrow waits. Thread-safe.
 class Pool {
  public:
   Pool(ConnectionOptions options, int max_connections) : options_(std::move(options)), num_left_(max_connections) {}
@@ -34,11 +34,11 @@ class Pool {
     Pool* pool_;
     Connection connection_;
   };
-  /// `is_new`: not one that may have been lost since it was used last.
+  /// `is_new`: opens a new connection, since an idle one may have been lost.
   Result<Lease> Borrow(bool is_new = false) DHPMAP_EXCLUDES(mutex_);
 
-  /// Calls read(connection), which returns a Result, and once more on a new connection if one was lost. For reads
-  /// alone.
+  /// Calls read(connection), which returns a Result. If the connection was lost, calls it once more on a new one. Only
+  /// for reads.
   template <typename Value, typename Reader>
   Result<Value> Read(Reader&& read) {
     for (bool is_second = false;; is_second = true) {
@@ -50,7 +50,7 @@ class Pool {
     }
   }
 
-  /// Of all connections but those that are borrowed now.
+  /// Of all connections that are not borrowed now.
   [[nodiscard]] std::int64_t num_round_trips() DHPMAP_EXCLUDES(mutex_);
 
  private:

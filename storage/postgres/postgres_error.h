@@ -10,17 +10,17 @@ struct pg_result;
 
 namespace dhpmap::postgres {
 
-/// The status of an error that the server reported. `task` completes "cannot ...". Messages never hold SQL, names of
-/// tables, hosts or users: what the server said is the cause, for logs.
+/// The status for an error that the server reported. `task` completes "cannot ...". Messages contain no SQL and no
+/// names of tables, hosts or users. The server's own words are the cause, for logs.
 Status ErrorFrom(std::string_view sqlstate, std::string_view task, std::string said);
 /// The SQLSTATE of a result that is an error; empty if it has none.
 std::string SqlStateOf(const pg_result* result);
-/// Of a connection that is gone, or never was.
+/// The status for a connection that was lost or could not be opened.
 Status ConnectionLost(std::string_view task, std::string said);
 
-/// Whether the error says nothing about a statement that may have committed: the server ended the connection.
+/// Whether the server ended the connection, so that the outcome of a commit is unknown.
 bool MayHaveCommitted(std::string_view sqlstate);
-/// Whether the same statements may succeed if they are sent again.
+/// Whether the same statements may succeed when sent again.
 bool IsWorthRepeating(std::string_view sqlstate);
 
 }  // namespace dhpmap::postgres

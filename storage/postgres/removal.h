@@ -11,14 +11,14 @@
 
 namespace dhpmap::postgres {
 
-/// Removes a map's name and row at once; all else goes with SweepSome. NOT_FOUND; NotOwner if its owner has not this
-/// epoch (nothing: whoever owns it).
+/// Removes a map's name and row at once; SweepSome deletes the other rows. NOT_FOUND; NotOwner if the owner's epoch is
+/// not `epoch` (nothing: any owner).
 Status RemoveMap(Connection& connection, const std::string& name, std::optional<std::int64_t> epoch);
 
-/// Deletes some hundred rows of a removed map, or of an import that was given up. Returns whether there may be more.
+/// Deletes some hundred rows of a removed map or an abandoned import. Returns whether there may be more.
 Result<bool> SweepSome(Connection& connection);
 
-/// Sweeps on a thread of its own whenever there is something. What it does not get to is swept by the next process.
+/// Sweeps on its own thread whenever there is something to delete. The next process sweeps what is left.
 class Sweeper {
  public:
   /// `pool` outlives it.
@@ -28,7 +28,7 @@ class Sweeper {
   Sweeper& operator=(const Sweeper&) = delete;
 
   void Notify() DHPMAP_EXCLUDES(mutex_);
-  /// Returns when all that was removed is swept, or cannot be.
+  /// Returns once everything removed is swept, or sweeping fails.
   void Wait() DHPMAP_EXCLUDES(mutex_);
 
  private:

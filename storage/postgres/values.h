@@ -13,7 +13,7 @@
 
 namespace dhpmap::postgres {
 
-/// The parameters of a statement in PostgreSQL's binary form, in order. Everything is copied.
+/// The parameters of a statement, in order, in PostgreSQL's binary form. Copies all values.
 class Values final : public Parameters {
  public:
   template <std::integral Int>
@@ -39,7 +39,7 @@ class Values final : public Parameters {
 
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] std::size_t num_bytes() const { return bytes_.size(); }
-  /// As libpq wants them: types, lengths, and pointers that are valid until the next Add.
+  /// For libpq: types, lengths, and pointers that are valid until the next Add.
   [[nodiscard]] std::vector<unsigned> Types() const;
   [[nodiscard]] std::vector<int> Lengths() const;
   [[nodiscard]] std::vector<const char*> Pointers() const;

@@ -8,7 +8,7 @@
 
 namespace dhpmap::postgres {
 
-/// A map's histories, within the caller's transaction. An edit has its revision as key.
+/// Reads a map's histories within the caller's transaction. The key of an edit is its revision.
 class HistoryToVerify final : public VerifiedHistory {
  public:
   /// `connection` outlives it.

@@ -8,10 +8,10 @@
 
 namespace dhpmap::postgres {
 
-/// Drops unreadable data of a map that is ours and was not written since it was verified, and updates rows to the rest,
-/// as a new revision; as RepairRows does in SQLite. All of it, or nothing. `verified`: as it was read then. NotOwner if
-/// somebody else has taken the map, FAILED_PRECONDITION, reason STALE_REVISION, if it was written to; UNAVAILABLE if
-/// the database does not say whether it was done: verify it again.
+/// Drops the unreadable data of a map that this process owns, and updates the other rows to match, as a new revision.
+/// Does all of it or nothing; RepairRows is the same for SQLite. `verified`: the state that was verified. NotOwner if
+/// another server has taken the map; FAILED_PRECONDITION, reason STALE_REVISION, if the map was written since;
+/// UNAVAILABLE if the outcome is unknown: verify the map again.
 Status RepairMap(Connection& connection, const OwnedMap& map, const NamedMap& verified, Verification& found);
 
 }  // namespace dhpmap::postgres

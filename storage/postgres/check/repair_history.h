@@ -9,12 +9,12 @@
 
 namespace dhpmap::postgres {
 
-/// The statements that drop bad parts of a map's edit log, what belongs to no edit, and all changes: who follows the
-/// map lists it again. If the state was changed other than by edits (`is_state_changed`), all undo data are dropped;
-/// log and answers to repeated requests stay. The totals are counted anew.
+/// The statements that drop damaged parts of a map's edit log, rows that belong to no edit, and all changes, so clients
+/// that follow the map list it again. If the repair itself changed the state (`is_state_changed`), they also drop all
+/// undo data; the log and the answers to repeated requests stay. They count the totals again.
 std::vector<Call> CallsForHistory(std::int64_t map_key, const BadHistory& bad, bool is_state_changed);
 
-/// Afterwards, in the same transaction: says of each edit that is left what the log says that was undone or done again.
+/// Run afterwards in the same transaction: marks each remaining edit as undone or redone, as the log says.
 Status NoteTargets(Connection& connection, std::int64_t map_key);
 
 }  // namespace dhpmap::postgres

@@ -9,11 +9,11 @@
 
 namespace dhpmap::postgres {
 
-// The statements of a repair that need nothing else of the map.
+// The statements of a repair that read no other state of the map.
 
-/// Deletes the tiles and submaps that cannot be read, and what is left of them; corrects the sizes of the others.
+/// Deletes unreadable tiles and submaps with their remaining rows, and corrects the sizes of the others.
 std::vector<Call> CallsToDrop(std::int64_t map_key, const Verification& found);
-/// Counts the references of all blobs again, and removes what belongs to no map.
+/// Counts the references of all blobs again, and removes rows that belong to no map.
 std::vector<Call> CallsToCount(std::int64_t map_key, std::int64_t now_ns);
 
 }  // namespace dhpmap::postgres

@@ -9,8 +9,8 @@
 
 namespace dhpmap::postgres {
 
-/// The statements that have the row of a submap, and those of its tiles, say what can be read of it, as of `revision`.
-/// `rows`: as they are now, without unreadable ones.
+/// The statements that update a submap's row, and the rows of its tiles, to its readable tiles, as of `revision`.
+/// `rows`: the present rows, without unreadable ones.
 Result<std::vector<Call>> ResealedSubmap(RowsToVerify& rows, const SubmapRow& row, std::int64_t revision);
 
 }  // namespace dhpmap::postgres

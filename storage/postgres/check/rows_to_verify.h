@@ -13,7 +13,7 @@
 
 namespace dhpmap::postgres {
 
-/// A map's rows, within the caller's transaction. A submap has its id as key.
+/// Reads a map's rows within the caller's transaction. The key of a submap is its id.
 class RowsToVerify final : public VerifiedRows {
  public:
   /// Both outlive it.
@@ -26,7 +26,7 @@ class RowsToVerify final : public VerifiedRows {
   Status ForEachStray(const VisitStray& visit) override;
   VerifiedHistory& History() override { return *history_; }
 
-  /// As it was read.
+  /// The head that was read.
   [[nodiscard]] const NamedMap& map() const { return map_; }
 
  private:

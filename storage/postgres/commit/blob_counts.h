@@ -9,13 +9,13 @@
 
 namespace dhpmap::postgres {
 
-/// How many more refer to each blob after a commit.
+/// By how much a commit changes the number of references to each blob.
 class BlobCounts {
  public:
   void Add(std::int64_t blob_key, std::int64_t num) {
     if (blob_key != 0) changes_[blob_key] += num;
   }
-  /// `now_ns`: since when who has no reference left has none.
+  /// `now_ns`: the time from which blobs without references count as unused.
   void Write(std::int64_t map_key, std::int64_t now_ns, std::vector<Call>& calls) const;
 
  private:

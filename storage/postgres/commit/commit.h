@@ -12,13 +12,13 @@
 
 namespace dhpmap::postgres {
 
-/// A commit as statements, from BEGIN to COMMIT, to be sent in one go.
+/// The statements of a commit, from BEGIN to COMMIT, to be sent as one pipeline.
 struct CommitStatements {
   std::vector<Call> calls;
   WrittenTiles written;
 };
 
-/// The statements that bring a map from the fetched state to `request.after`. They run only if the map is still as it
+/// The statements that bring a map from the fetched state to `request.after`. They fail if the map has changed since it
 /// was fetched. FAILED_PRECONDITION as MapStore::Commit.
 Result<CommitStatements> StatementsOf(const CommitRequest& request, const std::vector<SubmapTileChange>& changes,
                                       const OwnedMap& map, const KeepingLimits& limits, ThreadPool& pool,

@@ -12,16 +12,16 @@
 
 namespace dhpmap::postgres {
 
-/// Which rows of submaps and tiles commits have written or erased: their places only, as the rows are read where they
-/// are now. Some 5 bytes a tile. Thread-compatible.
+/// The places of the submap and tile rows that commits wrote or erased. A follower reads the present rows at these
+/// places. About 5 bytes a tile. Thread-compatible.
 class CommitPlaces {
  public:
-  /// Those of at least so many last commits of a map are kept.
+  /// The database keeps the places of at least this many recent commits of a map.
   static constexpr std::int64_t kNumKept = 1024;
 
   struct Owner {
     bool is_row_changed = false;  ///< a submap's row was written or erased
-    bool is_emptied = false;      ///< it was erased with all its tiles; what it has now came later
+    bool is_emptied = false;      ///< it was erased with all its tiles; its present rows are newer
     /// By x, y, z; bit n: layer number n.
     std::map<std::array<std::int32_t, 3>, std::uint32_t> tiles;
   };
@@ -30,12 +30,12 @@ class CommitPlaces {
   void AddTile(std::int64_t owner, TileIndex index, std::int64_t layer) {
     owners_[owner].tiles[{index.x, index.y, index.z}] |= std::uint32_t{1} << layer;
   }
-  /// All tiles of the owner up to now.
+  /// Marks all present tiles of the owner.
   void Empty(std::int64_t owner);
 
   /// By ascending owner (column tiles.owner_id).
   [[nodiscard]] const std::map<std::int64_t, Owner>& owners() const { return owners_; }
-  /// Rows of tiles, a layer each.
+  /// Number of tile rows, one for each layer.
   [[nodiscard]] std::size_t NumTileRows() const;
 
   [[nodiscard]] Bytes Encode() const;

@@ -14,7 +14,7 @@
 
 namespace dhpmap::postgres {
 
-/// The statements of one commit, from the state that was fetched. Used once; thread-compatible.
+/// Plans the statements of one commit from the fetched state. Used once; thread-compatible.
 class CommitPlan {
  public:
   /// All outlive it.

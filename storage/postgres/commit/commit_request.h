@@ -6,14 +6,14 @@
 
 namespace dhpmap::postgres {
 
-/// What bounds the logs of maps, and what is deleted when.
+/// Limits of the maps' logs, and when unused blobs are deleted.
 struct KeepingLimits {
   ChangeHistoryLimits changes = {};
   EditLogLimits edits = {};
-  double dead_grace_s = 600;  ///< blobs that nobody refers to stay so long, for who still reads an old state
+  double dead_grace_s = 600;  ///< unused blobs stay this long, for readers of older states
 };
 
-/// A commit: its two states, and the edit that made the second (null: none).
+/// A commit: the states before and after it, and the edit that made it (null: frames did).
 struct CommitRequest {
   const StateMarks& before;
   const MapSnapshot& after;

@@ -11,17 +11,17 @@
 
 namespace dhpmap::postgres {
 
-/// Sends the statements of commits, and finds out what became of those whose answer was lost. Thread-safe.
+/// Sends commits, and settles those whose answer was lost. Thread-safe.
 class CommitSender {
  public:
-  /// `pool` outlives it. `patience`: for learning what became of a commit.
+  /// `pool` outlives it. `patience`: how long it tries to settle a commit.
   CommitSender(Pool& pool, std::chrono::milliseconds patience) : pool_(pool), patience_(patience) {}
 
-  /// Repeats what the database asks to repeat. If nobody knows whether the commit was made, `doubt` says what it was:
-  /// it stays with the map unless that is settled here. UNAVAILABLE; NotOwner.
+  /// Sends the statements again if the database asks for that. If the outcome is unknown and cannot be settled here,
+  /// the commit that `doubt` returns stays with the map. UNAVAILABLE; NotOwner.
   Status Send(OwnedMap& map, Pool::Lease first, const std::vector<Call>& calls, const std::function<Doubt()>& doubt)
       DHPMAP_REQUIRES(map.mutex);
-  /// Whether the commit in doubt was made.
+  /// Whether the commit with the unknown outcome was made.
   Result<bool> Settle(OwnedMap& map) DHPMAP_REQUIRES(map.mutex);
 
  private:
@@ -31,7 +31,7 @@ class CommitSender {
   const std::chrono::milliseconds patience_;
 };
 
-/// Whether the commit was acknowledged by all who have to: after a warning it may be on this node alone.
+/// Whether the primary and its standbys acknowledged the commit. After a warning it may be on the primary alone.
 bool IsAcknowledged(const Answers& answers);
 /// UNAVAILABLE: the answer to the last commit was lost.
 Status InDoubt(const std::string& map);

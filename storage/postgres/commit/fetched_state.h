@@ -16,16 +16,16 @@
 
 namespace dhpmap::postgres {
 
-/// What a commit is going to change.
+/// The rows that a commit is going to change.
 struct PlannedChanges {
   const std::vector<SubmapTileChange>& submaps;
   FreeSpaceChange free_space, vacated;
   bool is_edit = false;
-  bool goes_on_with_edit = false;  ///< with what the last edit has left
+  bool goes_on_with_edit = false;  ///< the commit adds what the last edit has left
   std::uint16_t store = 0;         ///< see StoredKey
 };
 
-/// What the store has of all that a commit changes: one round trip, or two if an edit has left something.
+/// The stored rows that a commit changes. Takes one round trip, or two if an edit has left something.
 struct FetchedState {
   MapHead head;
   TileWrites tiles{0};

@@ -10,7 +10,7 @@ namespace dhpmap::postgres {
 
 bool IsSameConfig(const MapParts& a, const MapParts& b);
 
-/// Adds the statements that make parts `before` of a map parts `after`.
+/// Adds the statements that change a map's parts from `before` to `after`.
 void WriteParts(const MapParts& before, const MapParts& after, std::vector<Call>& calls);
 /// The same without the config.
 void WritePartsBesideConfig(const MapParts& before, const MapParts& after, std::vector<Call>& calls);

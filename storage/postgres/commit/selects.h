@@ -5,13 +5,13 @@
 
 namespace dhpmap::postgres {
 
-// What a commit fetches before it writes: SELECTs by map_key ($1).
+// The SELECTs by map_key ($1) that a commit runs before it writes.
 
-/// SELECT of the columns that TileWrites::Fetched reads: of tiles named by four arrays ($2 to $5), and of all tiles of
-/// owners ($2).
+/// Select the columns that TileWrites::Fetched reads: for tiles named by four arrays ($2 to $5), or for all tiles of
+/// the owners in $2.
 const std::string& TilesByPlace();
 const std::string& TilesByOwner();
-/// Of submaps by id ($2), and of blobs by key ($2).
+/// Select submaps by id ($2), and blobs by key ($2).
 const std::string& SubmapsById();
 const std::string& BlobsByKey();
 

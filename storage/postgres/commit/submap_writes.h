@@ -15,7 +15,7 @@
 
 namespace dhpmap::postgres {
 
-/// The submaps' rows during a commit.
+/// The submap rows during a commit: those fetched and those to write.
 class SubmapWrites final : public SubmapTable {
  public:
   /// `tiles` outlives it.

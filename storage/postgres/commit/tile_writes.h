@@ -15,13 +15,13 @@
 
 namespace dhpmap::postgres {
 
-/// Tiles and submaps of a map during a commit: what was fetched of them, and what is to be written. Asked for a row
-/// that was not fetched it answers as if there were none, so all that a commit may ask for must have been.
+/// The tile rows of a map during a commit: those fetched and those to write. A row that was not fetched counts as
+/// absent, so fetch every row that the commit may ask for.
 class TileWrites final : public TileTable {
  public:
   explicit TileWrites(std::int64_t next_blob_key) : next_blob_key_(next_blob_key) {}
 
-  // Rows that were fetched: see kTileColumns, and blob_key, num_blocks, bytes.
+  // Fetched rows: kTileColumns; blob_key, num_blocks, bytes.
   void Fetched(Answer& tiles);
   void FetchedBlobs(Answer& blobs);
 
@@ -35,7 +35,7 @@ class TileWrites final : public TileTable {
              const StoredBlob& after, TileTotals& totals) override;
   Status Erase(std::int64_t owner_key, TileIndex index, std::int64_t layer, const StoredBlob& before,
                TileTotals& totals) override;
-  /// All rows of an owner.
+  /// Erases all rows of an owner.
   void EraseAll(std::int64_t owner_key);
 
   struct Row {
@@ -43,16 +43,16 @@ class TileWrites final : public TileTable {
     std::int64_t layer = 0;
     std::int64_t blob_key = 0;
   };
-  /// As they are now.
+  /// The present totals.
   [[nodiscard]] std::vector<Row> RowsOf(std::int64_t owner_key) const;
 
   BlobCounts& counts() { return counts_; }
   [[nodiscard]] std::int64_t next_blob_key() const { return next_blob_key_; }
   [[nodiscard]] std::int64_t num_blobs() const { return static_cast<std::int64_t>(blob_calls_.size()); }
 
-  /// Adds the statements that write it all.
+  /// Adds the statements that write all changes.
   void Write(std::int64_t map_key, std::int64_t now_ns, std::vector<Call>& calls);
-  /// Adds the rows that these statements write or erase.
+  /// Adds the places of the rows that these statements write or erase.
   void AddTo(CommitPlaces& places) const;
 
  private:

@@ -14,10 +14,11 @@
 
 namespace dhpmap::postgres {
 
-/// Writes maps that are ours. Thread-safe; commits of a map wait for each other, those of several maps do not.
+/// Writes the maps that this process owns. Thread-safe. Commits of one map run one after the other, those of several
+/// maps in parallel.
 class Writer {
  public:
-  /// All outlive it. `patience`: for learning what became of a commit whose answer was lost.
+  /// All outlive it. `patience`: how long it tries to settle a commit whose answer was lost.
   Writer(Pool& pool, MapOwnership& maps, const KeepingLimits& limits, std::chrono::milliseconds patience);
 
   // As those of MapStore.

@@ -10,12 +10,12 @@
 
 namespace dhpmap::postgres {
 
-/// A map as it is, for who will not write it. Errors as MapStore::LoadMap.
+/// The present state of a map, for readers that never write it. Errors as MapStore::LoadMap.
 Result<StateToRead> ReadState(Connection& connection, const std::string& name, ThreadPool& pool);
 
-/// The present state of the map of `before`, by what was committed since: in six round trips at most. Nothing if that
-/// is more than is kept, or another map has the name now: to be read anew. NOT_FOUND if there is no such map;
-/// DATA_LOSS.
+/// The present state of a map, made from `before` and the rows committed since, in at most six round trips. Nothing if
+/// the database no longer keeps the places of all those commits, or if another map has the name now: load it again.
+/// NOT_FOUND if there is no such map; DATA_LOSS.
 Result<std::optional<StateToRead>> ReadLaterState(Connection& connection, const StateToRead& before, ThreadPool& pool);
 
 }  // namespace dhpmap::postgres

@@ -17,17 +17,17 @@
 
 namespace dhpmap::postgres {
 
-/// Makes a state of the one before and of the rows that were written since. Thread-compatible.
+/// Makes a later state from an earlier one and the rows written since. Thread-compatible.
 class StatePatch {
  public:
-  /// `map`: its present row, filled. All outlive it.
+  /// `map`: the present row, filled. All outlive it.
   StatePatch(const StateToRead& before, MapRow& map, const CommitPlaces& places, ThreadPool& pool)
       : before_(before), map_(map), places_(places), pool_(pool) {}
 
-  /// Reads what is at the places now, in the connection's transaction. DATA_LOSS; FAILED_PRECONDITION for a layer of a
-  /// later version.
+  /// Reads the present rows at the places, in the connection's transaction. DATA_LOSS; FAILED_PRECONDITION for a layer
+  /// of a later version.
   Status Read(Connection& connection);
-  /// Takes the row's info. DATA_LOSS if this leads to another state than the one that is stored.
+  /// Takes the row's info. DATA_LOSS if the result is not the stored state.
   Result<std::shared_ptr<const MapSnapshot>> Make();
 
  private:
@@ -40,8 +40,8 @@ class StatePatch {
   MapRow& map_;
   const CommitPlaces& places_;
   ThreadPool& pool_;
-  std::map<std::int64_t, SubmapRow> rows_;     ///< of all submaps that were written and are there
-  std::map<std::int64_t, TilePatch> patches_;  ///< of those that were there before
+  std::map<std::int64_t, SubmapRow> rows_;     ///< all written submaps that exist now
+  std::map<std::int64_t, TilePatch> patches_;  ///< of those that existed before
   std::set<std::int64_t> whole_;               ///< the others
   std::optional<LayerPatch> free_, vacated_;
   std::map<std::int64_t, std::shared_ptr<const Submap>> submaps_;  ///< in the end, all

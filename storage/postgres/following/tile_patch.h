@@ -17,24 +17,24 @@
 
 namespace dhpmap::postgres {
 
-/// Changed tiles of a submap, to be put in place of those that it had. Thread-compatible.
+/// The changed tiles of a submap. Thread-compatible.
 class TilePatch {
  public:
-  /// Tiles get storage keys of `store`. What is in `places` and not added is erased.
+  /// Tiles get storage keys of `store`. A tile in `places` that is not added is erased.
   TilePatch(const CommitPlaces::Owner& places, std::uint16_t store);
 
-  /// A row of those places. DATA_LOSS for another one or without a blob; FAILED_PRECONDITION for a layer of a later
-  /// version.
+  /// Adds a row at one of the places. DATA_LOSS for another place or a missing blob; FAILED_PRECONDITION for a layer of
+  /// a later version.
   Status Add(const TileRow& row);
 
-  /// The submap of `row`: `before` with these tiles, the others shared. DATA_LOSS if these are not the tiles that `row`
-  /// tells of.
+  /// The submap of `row`: these tiles, and the other tiles of `before`, shared. DATA_LOSS if the result does not match
+  /// `row`.
   Result<std::shared_ptr<const Submap>> Apply(const Submap& before, const SubmapRow& row, ThreadPool& pool);
 
  private:
   struct Changed {
     BlockLayers differs{};
-    std::array<std::int64_t, kNumBlockLayers> keys{};  ///< 0: there is no row any more
+    std::array<std::int64_t, kNumBlockLayers> keys{};  ///< 0: the row is gone
     std::array<Bytes, kNumBlockLayers> blobs;
     std::shared_ptr<BlockTile> tile;
     Status status;
@@ -46,7 +46,7 @@ class TilePatch {
   std::map<std::array<std::int32_t, 3>, Changed> tiles_;
 };
 
-/// The same of a layer of the map itself: free or vacated space.
+/// The same for a layer of the map itself: free or vacated space.
 class LayerPatch {
  public:
   /// `before` outlives it.
@@ -54,7 +54,7 @@ class LayerPatch {
 
   [[nodiscard]] bool IsOf(const TileRow& row) const;
   Status Add(const TileRow& row);
-  /// `before` itself where nothing has changed.
+  /// Returns `before` itself if nothing has changed.
   [[nodiscard]] std::shared_ptr<const FreeSpace> Finish(const std::shared_ptr<const FreeSpace>& before) const;
 
  private:

@@ -15,7 +15,7 @@
 
 namespace dhpmap::postgres {
 
-/// The change log of a map during a commit: what was fetched of it, and what is to be written.
+/// The change log of a map during a commit: rows fetched and rows to write.
 class ChangeWrites {
  public:
   // Answers to the two statements below.

@@ -10,7 +10,7 @@
 
 namespace dhpmap::postgres {
 
-// What is kept of the log of a map's edits. Errors as those of MapStore.
+// Reads the log of a map's edits. Errors as those of MapStore.
 
 Result<std::vector<LoggedEdit>> ReadEditLog(Connection& connection, const std::string& name, const EditQuery& query);
 Result<std::optional<StoredAnswer>> ReadStoredAnswer(Connection& connection, const std::string& name,

@@ -22,7 +22,7 @@ class EditTileWrites final : public EditTiles {
   /// `edit_key`: the revision of the edit. `tiles` outlives it.
   EditTileWrites(std::int64_t edit_key, TileWrites& tiles) : edit_key_(edit_key), tiles_(tiles) {}
 
-  /// Rows of the edit that are there already, of a commit that goes on with it: see TilesOfEdit.
+  /// Stored rows of the edit, for a commit that adds to them: see TilesOfEdit.
   void Fetched(Answer& rows);
 
   Status Note(std::int64_t submap_id, TileIndex index, std::int64_t layer, const StoredBlob& before,

@@ -9,9 +9,9 @@
 
 namespace dhpmap::postgres {
 
-/// Whether the commit of a map that would have made it `commit_id` was made. Waits for a server's process that still
-/// works on it, so a connection that was lost amid a commit decides nothing later. UNAVAILABLE if the database does not
-/// answer; NotOwner if another server has taken the map; NOT_FOUND if it is gone.
+/// Whether the commit that would raise a map's counter to `commit_id` was made. Waits for a backend that still works on
+/// it, so the answer is final. UNAVAILABLE if the database does not answer; NotOwner if another server has taken the
+/// map; NOT_FOUND if it is gone.
 Result<bool> WasMade(Pool& pool, const OwnedMap& map, std::int64_t commit_id);
 
 /// UNAVAILABLE, reason NOT_OWNER: another server writes the map now.

@@ -18,51 +18,51 @@
 
 namespace dhpmap::postgres {
 
-/// The maps that this process writes. A map is taken when it is first loaded or written, if nobody alive has it.
-/// Thread-safe; no call on one map waits for another map.
+/// The maps that this process owns, and therefore writes. It takes a map when the map is first loaded or written,
+/// unless a living server owns it. Thread-safe; no call about one map waits for another map.
 class MapOwnership {
  public:
   /// Both outlive it.
   MapOwnership(Pool& pool, Peers& peers, PassingTime time);
 
-  /// Who writes a map: we, or another server.
+  /// The owner of a map: this process or another server.
   struct Claim {
-    std::shared_ptr<OwnedMap> ours;  ///< null: another does
+    std::shared_ptr<OwnedMap> ours;  ///< null: another server owns it
     std::int64_t server = 0;
     std::int64_t epoch = 0;
   };
-  /// Takes the map if nobody alive has it. NOT_FOUND; DATA_LOSS if its row is damaged; UNAVAILABLE, reason
-  /// OWNER_UNREACHABLE (this process takes no more) or DATABASE_UNREACHABLE. Waits for up to a lease until it is clear
-  /// whether an owner that was never seen to beat is alive.
+  /// Takes the map unless a living server owns it. If this process has not yet seen a beat of the owner, waits up to
+  /// one lease to learn whether it is alive. NOT_FOUND; DATA_LOSS if the map's row is damaged; UNAVAILABLE, reason
+  /// OWNER_UNREACHABLE (this process takes no more maps) or DATABASE_UNREACHABLE.
   Result<Claim> ClaimMap(const std::string& name) DHPMAP_EXCLUDES(mutex_);
 
-  /// What a map is wanted for. One that was lost, or given up, is not written before it is loaded anew.
+  /// Why the caller needs the map. A map that was lost or given up must be loaded again before it is written.
   enum class For { kLoading, kWriting };
-  /// The same; UNAVAILABLE, reason NOT_OWNER, if another server has it.
+  /// As ClaimMap; UNAVAILABLE, reason NOT_OWNER, if another server owns the map.
   Result<std::shared_ptr<OwnedMap>> Own(const std::string& name, For what) DHPMAP_EXCLUDES(mutex_);
-  /// Null if it is not ours.
+  /// Null if this process does not own it.
   [[nodiscard]] std::shared_ptr<OwnedMap> Find(const std::string& name) DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::int64_t num_maps() DHPMAP_EXCLUDES(mutex_);
-  /// A map that is going to be created.
+  /// For a map that the caller is about to create.
   [[nodiscard]] std::shared_ptr<OwnedMap> New(const std::string& name) const;
   void Add(std::shared_ptr<OwnedMap> map) DHPMAP_EXCLUDES(mutex_);
   /// After a deletion.
   void Drop(const OwnedMap& map) DHPMAP_EXCLUDES(mutex_);
-  /// It was given up. False if it was not ours any more.
+  /// After the map was given up. False if this process no longer owned it.
   bool Leave(const OwnedMap& map) DHPMAP_EXCLUDES(mutex_);
-  /// Somebody else has taken it: calls on_lost.
+  /// After another server has taken the map: calls on_lost.
   void Lose(const OwnedMap& map) DHPMAP_EXCLUDES(mutex_, told_mutex_);
-  /// The same; returns NOT_OWNER, and asks the database who has it.
+  /// The same; asks the database for the owner, and returns NOT_OWNER with its address.
   Status LoseAndAsk(const OwnedMap& map) DHPMAP_EXCLUDES(mutex_, told_mutex_);
 
-  /// Called with each map that is lost, on any thread; waits until a call of the last one has ended.
+  /// Sets the callback for lost maps, which runs on any thread. Waits until running calls of the previous one end.
   void OnLost(std::function<void(const std::string& map)> on_lost) DHPMAP_EXCLUDES(told_mutex_);
   /// Takes no more maps.
   void StopTaking() DHPMAP_EXCLUDES(mutex_);
-  /// The maps that we have, to look through whether we still do: after a time in which others may have taken them. What
-  /// is being taken meanwhile is looked at once more.
+  /// The maps of this process, to check that it still owns them after a time in which others may have taken them.
+  /// Claims that run meanwhile check their map once more.
   std::vector<std::shared_ptr<OwnedMap>> BeginLookThrough() DHPMAP_EXCLUDES(mutex_);
-  /// Own beats have told more about others, and go on without being asked to.
+  /// After a beat by the fleet's thread: wakes claims that wait for news of other servers.
   void OnBeaten() DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] std::int64_t server() const { return peers_.me(); }
@@ -76,9 +76,9 @@ class MapOwnership {
   Result<Claim> ClaimInTurn(const std::string& name) DHPMAP_EXCLUDES(mutex_);
   Result<MapHead> ReadMapHead(const std::string& name);
   [[nodiscard]] Status MayTake(const std::string& name) DHPMAP_EXCLUDES(mutex_);
-  /// False when it has taken too long.
+  /// False once `end` has passed.
   bool AwaitBeat(Clock::time_point end) DHPMAP_EXCLUDES(mutex_);
-  /// Null if it must be looked at once more.
+  /// Null if the claim must check the map once more.
   std::shared_ptr<OwnedMap> Keep(const std::string& name, const MapHead& seen, std::int64_t round)
       DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::int64_t Round() DHPMAP_EXCLUDES(mutex_);
@@ -90,9 +90,9 @@ class MapOwnership {
   Mutex mutex_;
   CondVar is_claimed_, is_beaten_;
   std::map<std::string, std::shared_ptr<OwnedMap>> maps_ DHPMAP_GUARDED_BY(mutex_);
-  std::set<std::string> claimed_ DHPMAP_GUARDED_BY(mutex_);  ///< are being taken
-  std::set<std::string> left_ DHPMAP_GUARDED_BY(mutex_);     ///< were lost or given up, and not loaded since
-  std::int64_t round_ DHPMAP_GUARDED_BY(mutex_) = 0;         ///< of looking through
+  std::set<std::string> claimed_ DHPMAP_GUARDED_BY(mutex_);  ///< being taken
+  std::set<std::string> left_ DHPMAP_GUARDED_BY(mutex_);     ///< lost or given up, and not loaded since
+  std::int64_t round_ DHPMAP_GUARDED_BY(mutex_) = 0;         ///< counts BeginLookThrough
   std::int64_t num_beats_ DHPMAP_GUARDED_BY(mutex_) = 0;
   bool takes_ DHPMAP_GUARDED_BY(mutex_) = true;
   Mutex told_mutex_;

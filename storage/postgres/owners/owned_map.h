@@ -13,15 +13,15 @@
 
 namespace dhpmap::postgres {
 
-/// A commit of which nobody knows whether it was made.
+/// A commit whose outcome is unknown.
 struct Doubt {
-  std::int64_t commit_id = 0;  ///< that it would have made the present one
+  std::int64_t commit_id = 0;  ///< the map's counter, if the commit was made
   std::int64_t revision_before = 0;
   bool is_edit = false;
-  std::shared_ptr<const StateMarks> after;  ///< null: a commit of no state
+  std::shared_ptr<const StateMarks> after;  ///< null: the commit changed no state
 };
 
-/// A map that this process writes. Immutable but for what its mutex guards.
+/// A map that this process owns. Immutable except for what its mutex guards.
 struct OwnedMap {
   OwnedMap(std::string map, std::int64_t map_key, std::int64_t owner_epoch, std::int64_t seen_before_ns,
            PassingTime time)
@@ -39,7 +39,7 @@ struct OwnedMap {
   const std::int64_t before_ns;
   const PassingTime passing;
   const std::int64_t began_ns;
-  Mutex mutex;  ///< held by who commits
+  Mutex mutex;  ///< held during a commit
   std::optional<Doubt> doubt DHPMAP_GUARDED_BY(mutex);
 
   /// As SeenClock, for this map.

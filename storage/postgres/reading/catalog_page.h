@@ -13,17 +13,17 @@
 
 namespace dhpmap::postgres {
 
-/// Whether the tiles of a map are summed up over its submaps.
+/// Whether to sum the tiles of a map over its submaps.
 enum class TileSums { kNone, kAll };
 
-/// What is read of the maps of a page.
+/// The rows of a page of maps.
 struct CatalogPage {
-  std::vector<std::pair<MapHead, bool>> heads;  ///< and whether the row could be read
+  std::vector<std::pair<MapHead, bool>> heads;  ///< second: whether the row could be read
   std::map<std::int64_t, MapParts> parts;
-  std::map<std::int64_t, StoredMap> rest;  ///< what stands in no row of theirs
+  std::map<std::int64_t, StoredMap> rest;  ///< fields that come from other tables
 };
 
-/// The maps of the SELECT of heads. In one transaction of two round trips, so that no commit comes between.
+/// Reads the maps that the SELECT of heads returns, in one transaction of two round trips: one state of all.
 Result<CatalogPage> ReadCatalogPage(Connection& connection, Call heads, TileSums sums);
 
 }  // namespace dhpmap::postgres

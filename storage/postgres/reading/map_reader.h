@@ -12,8 +12,8 @@
 
 namespace dhpmap::postgres {
 
-/// The whole map. Its tiles get keys of `store`. `pages`: where those of objects are left; null: they are read, too.
-/// Errors as MapStore::LoadMap.
+/// Reads a map. Its tiles get storage keys of `store`. `pages`: leaves the tiles of objects in the database, to be read
+/// on demand; null: reads them too. Errors as MapStore::LoadMap.
 Result<std::shared_ptr<const MapSnapshot>> ReadMapState(Connection& connection, const std::string& name,
                                                         std::int64_t map_key, std::uint16_t store, ThreadPool& pool,
                                                         const std::shared_ptr<PageReader>& pages = nullptr);

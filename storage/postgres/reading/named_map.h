@@ -9,14 +9,14 @@
 
 namespace dhpmap::postgres {
 
-/// A map's row, filled with what stands in other tables.
+/// A map's row, filled from the other tables.
 struct NamedMap {
   MapHead head;
   MapParts parts;  ///< as they are stored
 };
 
-/// Within the caller's transaction, in two round trips. NOT_FOUND; DATA_LOSS if they are not what was written together;
-/// FAILED_PRECONDITION as ConfigOf.
+/// Reads it within the caller's transaction, in two round trips. NOT_FOUND; DATA_LOSS if the rows do not match each
+/// other; FAILED_PRECONDITION as ConfigOf.
 Result<NamedMap> ReadNamedMap(Connection& connection, const std::string& name);
 
 }  // namespace dhpmap::postgres

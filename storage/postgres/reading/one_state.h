@@ -7,7 +7,7 @@
 
 namespace dhpmap::postgres {
 
-/// A transaction that reads one state. Ends with its scope.
+/// A transaction that reads one state of the database. The destructor ends it.
 class OneState {
  public:
   static Result<OneState> Begin(Connection& connection);

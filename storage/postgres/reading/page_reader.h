@@ -10,14 +10,13 @@
 
 namespace dhpmap::postgres {
 
-/// Connections for tiles of open maps that were left in the database. Outlives the store as long as such a map is in
-/// use. Thread-safe.
+/// The connections that read tiles of open maps on demand. Outlives the store while such a map is in use. Thread-safe.
 class PageReader {
  public:
   PageReader(ConnectionOptions options, int max_connections)
       : pool_(std::make_unique<Pool>(std::move(options), max_connections)) {}
 
-  /// See Pool::Read. UNAVAILABLE once the store is closed; `name`: of what is read.
+  /// See Pool::Read. `name`: of the map, for errors. UNAVAILABLE once the store is closed.
   template <typename Value, typename Reader>
   Result<Value> With(const std::string& name, Reader&& read) {
     DHPMAP_RETURN_IF_ERROR(gate_.Enter(name));

@@ -11,16 +11,16 @@
 
 namespace dhpmap::postgres {
 
-/// Where the tiles of a map stay until they are asked for, as of the state that is loaded.
+/// The source of a loaded state's tiles that are read on demand.
 struct PagedMap {
-  std::shared_ptr<PageReader> reader;  ///< null: they are read with the map
+  std::shared_ptr<PageReader> reader;  ///< null: tiles are read with the map
   std::int64_t map_key = 0;
-  std::int64_t revision = 0;  ///< that is loaded
+  std::int64_t revision = 0;  ///< of the loaded state
 };
 
-/// A submap with its tiles in the database: lists the tiles, and reads their blocks by key, all layers of a tile in one
-/// round trip. Missing blobs and other rows are ABORTED, reason SNAPSHOT_EXPIRED, if the map has gone on since it was
-/// loaded and nothing refers to them; else DATA_LOSS. Thread-safe.
+/// A submap whose tiles stay in the database. Lists the tiles, and reads their blocks by key, all layers of a tile in
+/// one round trip. A missing blob or changed row is ABORTED, reason SNAPSHOT_EXPIRED, if the map was committed to since
+/// it was loaded and no row refers to the blob; else DATA_LOSS. Thread-safe.
 class PagedSubmap final : public SubmapTiles {
  public:
   /// See SubmapTiles.

@@ -14,13 +14,13 @@
 
 namespace dhpmap::postgres {
 
-/// The state of a filled row and its submaps' rows, with all tiles, read in the caller's transaction. Takes the row's
-/// info. DATA_LOSS; FAILED_PRECONDITION for a layer of a later version.
+/// Makes the state from a filled row, its submaps' rows and all tiles, which it reads in the caller's transaction.
+/// Takes the row's info. DATA_LOSS; FAILED_PRECONDITION for a layer of a later version.
 Result<std::shared_ptr<const MapSnapshot>> MakeState(Connection& connection, MapRow& map,
                                                      const std::vector<SubmapRow>& rows, std::uint16_t store,
                                                      ThreadPool& pool);
 
-/// The same with the tiles of objects left where they are: `pages` reads them.
+/// The same, but `pages` reads the tiles of objects on demand.
 Result<std::shared_ptr<const MapSnapshot>> MakePagedState(Connection& connection, MapRow& map,
                                                           const std::vector<SubmapRow>& rows, std::uint16_t store,
                                                           ThreadPool& pool, const std::shared_ptr<PageReader>& pages);

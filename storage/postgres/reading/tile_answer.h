@@ -8,10 +8,10 @@
 
 namespace dhpmap::postgres {
 
-/// SELECTs of tiles with their blobs: all of a map ($1) by owner, and those of owner $2.
+/// Select tiles with their blobs: all of map $1 by owner, or those of its owner $2.
 const std::string& AllTilesText();
 const std::string& TilesOfOwnerText();
-/// The rest of a row, after its first column: the owner.
+/// Reads the columns of a row after the first one, the owner.
 TileRow TileOf(Answer& answer);
 
 }  // namespace dhpmap::postgres

@@ -10,27 +10,27 @@
 
 namespace dhpmap::postgres {
 
-/// A row of table maps: what every store keeps of a map, and what commits from several servers are ordered by.
+/// A row of table `maps`: what every store keeps of a map, and the columns that order commits of several servers.
 struct MapHead {
   MapRow row;
   std::int64_t commit_id = 0;    ///< counts commits of any kind
   std::int64_t owner = 0;        ///< the server that writes the map
   std::int64_t owner_epoch = 0;  ///< counts owners
   std::int64_t next_blob_key = 1;
-  std::int64_t seen_ns = 0;  ///< time during which servers had the map open, as SeenClock
+  std::int64_t seen_ns = 0;  ///< time during which servers had the map open, see SeenClock
 };
 
-/// SELECTs of heads by map_key ($1), by name ($1), and by name after $1, $2 at most.
+/// Select heads: by map_key ($1); by name ($1); at most $2 by name, after $1.
 const std::string& HeadByKey();
 const std::string& HeadByName();
 const std::string& HeadsAfter();
-/// The present row; false if a column has a wrong type.
+/// Reads the present row of the answer; false if a column has a wrong type.
 bool ReadHead(Answer& answer, MapHead& head);
 
 /// Adds the row.
 Call InsertHead(const MapHead& head);
-/// Writes `after` in place of `before`, if that is still there under its epoch and commit. Else an error (22012, see
-/// IsFenced), so that nothing after it runs.
+/// Replaces `before` by `after` if the row still has the epoch and commit of `before`. Else it fails (22012, see
+/// IsFenced), and no later statement of the pipeline runs.
 Call ReplaceHead(const MapHead& before, const MapHead& after);
 bool IsFenced(const std::string& sqlstate);
 

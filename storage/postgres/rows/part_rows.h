@@ -11,9 +11,9 @@
 
 namespace dhpmap::postgres {
 
-/// The SELECTs of a map's parts by map_key ($1), in the order of MapParts, each ordered as checksums want it.
+/// The SELECTs of a map's parts by map_key ($1), in the order of MapParts; rows in the order of the checksums.
 std::vector<Call> CallsForParts(std::int64_t map_key);
-/// Answers to them. DATA_LOSS for a row that is none.
+/// Reads their answers. DATA_LOSS for a malformed row.
 Result<MapParts> ReadParts(std::span<Answer> answers);
 
 }  // namespace dhpmap::postgres

@@ -10,7 +10,7 @@
 
 namespace dhpmap::postgres {
 
-/// Adds the statements that make rows `before` of a table rows `after`. One table for each type of row.
+/// Adds the statements that change a table's rows from `before` to `after`. Each type of row has one table.
 template <typename Row>
 void WriteDiff(const Table<Row>& table, const std::vector<Row>& before, const std::vector<Row>& after,
                std::vector<Call>& calls) {

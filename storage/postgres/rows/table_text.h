@@ -9,10 +9,10 @@
 
 namespace dhpmap::postgres {
 
-// SQL texts of the shared column lists as PostgreSQL has them: parameters by number, and no columns that SQLite
-// generates (Written::kElsewhere).
+// SQL texts from the column lists that both stores share. In PostgreSQL parameters are numbered, and columns that
+// SQLite generates (Written::kElsewhere) are absent.
 
-/// Columns that a table has beside those of its list: they come last.
+/// Columns that a table has after those of its list.
 using MoreColumns = std::vector<std::string>;
 
 /// All columns in the order of the list; `tail` follows the table's name.
@@ -22,10 +22,10 @@ std::string InsertText(const TableSql& table, const MoreColumns& more = {});
 std::string UpsertText(const TableSql& table);
 /// By its kOnce values.
 std::string DeleteText(const TableSql& table);
-/// "a = $1, b = $2": the columns that are always written, then more.
+/// "a = $1, b = $2": the columns that are always written, then `more`.
 std::string AssignmentsText(const TableSql& table, const MoreColumns& more = {});
 
-/// Binds what identifies a row, for DeleteText.
+/// Binds the key of a row, for DeleteText.
 template <typename Row>
 void BindKey(const Table<Row>& table, const Row& row, Parameters& parameters) {
   for (const Column<Row>& column : table.list()) {
@@ -33,7 +33,7 @@ void BindKey(const Table<Row>& table, const Row& row, Parameters& parameters) {
   }
 }
 
-/// The bytes of a row, or of its key alone, by which rows are compared.
+/// The bytes of a row, or of its key alone, for comparing rows.
 template <typename Row>
 std::string BytesOf(const Table<Row>& table, const Row& row, bool of_key) {
   Bytes bytes;

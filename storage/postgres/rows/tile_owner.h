@@ -5,7 +5,7 @@
 
 namespace dhpmap::postgres {
 
-/// Column tiles.owner_id of what belongs to the map itself; of a submap it is the id.
+/// Value of tiles.owner_id for layers of the map itself. For a submap it is the submap's id.
 inline constexpr std::int64_t kMapsOwner = -1;
 
 }  // namespace dhpmap::postgres

@@ -9,8 +9,8 @@
 
 namespace dhpmap::postgres {
 
-/// A key for a map that is being imported. A lock that it holds on a connection of its own keeps the map's rows from
-/// being swept; it ends with this object, with the process, and with the connection. Thread-compatible.
+/// The key of a map that is being imported. A lock on a connection of its own protects the map's rows from sweeping.
+/// The lock ends with this object, the process or the connection. Thread-compatible.
 class IncomingMap {
  public:
   static Result<IncomingMap> Begin(const ConnectionOptions& options);
@@ -20,8 +20,8 @@ class IncomingMap {
 
   [[nodiscard]] std::int64_t key() const { return key_; }
 
-  /// Runs `calls` and commits, if the lock still holds: then the rows are those of a map for good. Call once.
-  /// UNAVAILABLE if the connection is lost, or somebody else has swept them.
+  /// Runs `calls` and commits if the lock still holds; the rows then belong to a map. Call once. UNAVAILABLE if the
+  /// connection was lost or another process has swept the rows.
   Answers Finish(std::span<const Call> calls);
 
  private:
@@ -30,10 +30,10 @@ class IncomingMap {
   std::int64_t key_;
 };
 
-/// Gives those that nobody holds to the sweeper. Returns how many.
+/// Hands abandoned imports to the sweeper. Returns their number.
 Result<std::int64_t> GiveUpAbandoned(Connection& connection);
 
-/// Whether a map of which Finish said nothing is there. Waits for a backend that still works on it.
+/// Whether the map exists, if the answer of Finish was lost. Waits for a backend that still works on it.
 Result<bool> HasArrived(Connection& connection, std::int64_t map_key);
 
 }  // namespace dhpmap::postgres

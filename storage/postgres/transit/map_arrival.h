@@ -16,12 +16,12 @@
 
 namespace dhpmap::postgres {
 
-/// Takes the map of a file over: all of its rows under a key that has no name, in steps of a megabyte; then its name
-/// and its own row, in one transaction. Commits of other maps wait for none of it. What is not finished is swept, by
-/// this process or the next. Needs memory for a step, and 20 bytes a blob. Thread-compatible.
+/// Imports the map of a file. First writes all rows under a key without a name, in steps of a megabyte; then adds the
+/// name and the map's own row in one transaction. Commits of other maps never wait for it. Rows of an unfinished import
+/// are swept by this process or the next. Needs memory for one step, and 20 bytes a blob. Thread-compatible.
 class MapArrival final : public MapTaker {
  public:
-  /// `pool` outlives it. `on_abandoned` is called when it has left something to be swept.
+  /// `pool` outlives it. `on_abandoned` is called if rows are left to sweep.
   MapArrival(MapFile file, Pool& pool, ConnectionOptions options, std::function<void()> on_abandoned)
       : file_(std::move(file)), pool_(pool), options_(std::move(options)), on_abandoned_(std::move(on_abandoned)) {}
   ~MapArrival() override;
@@ -37,7 +37,7 @@ class MapArrival final : public MapTaker {
   Result<TileTotals> CopyTiles(FileTiles& tiles, std::int64_t from_owner_key, std::int64_t owner_id);
   Status BringCounts();
   void PrepareHead(const FileHead& from, const TileTotals& own_tiles);
-  /// In a transaction of its own; once more if its answer was lost: rows that are there already stay.
+  /// Runs one step as a transaction, again if its answer was lost: rows that already exist stay.
   Status Write(std::vector<Call>& calls);
   Status WriteIfMany(std::vector<Call>& calls);
 
@@ -46,9 +46,9 @@ class MapArrival final : public MapTaker {
   const ConnectionOptions options_;
   const std::function<void()> on_abandoned_;
   std::optional<IncomingMap> incoming_;
-  BlobKeys blobs_;                       ///< in the file; here they are numbered from 1
-  std::vector<BroughtSize> sizes_;       ///< of each, once it is brought
-  std::vector<std::uint32_t> num_uses_;  ///< of each, by tiles
+  BlobKeys blobs_;                       ///< in the file; the database numbers them from 1
+  std::vector<BroughtSize> sizes_;       ///< of each imported blob
+  std::vector<std::uint32_t> num_uses_;  ///< number of tiles that use each blob
   std::vector<Call> waiting_;            ///< statements of the next step
   MapHead head_;
 };

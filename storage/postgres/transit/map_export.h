@@ -8,9 +8,9 @@
 
 namespace dhpmap::postgres {
 
-/// Writes a map as it is committed into a new map file at `path`, while commits continue; in little memory. Keeps one
-/// state of the database from being vacuumed meanwhile. NOT_FOUND; DATA_LOSS if the map's row or one of a submap is
-/// damaged (tiles are not checked); CANCELLED, which breaks the connection. After any error there is no file.
+/// Writes the committed state of a map into a new map file at `path`, in little memory, while commits continue. Keeps
+/// one state of the database from being vacuumed meanwhile. NOT_FOUND; DATA_LOSS if the row of the map or of a submap
+/// is damaged (tiles are not checked); CANCELLED, which breaks the connection. After an error there is no file.
 Status WriteMapFileOf(Connection& connection, const std::string& name, const std::string& path,
                       const std::stop_token& stop);
 
