@@ -37,7 +37,7 @@ void Connection::OnNotice(void* state, const pg_result* notice) {
 
 Result<Connection> Connection::Open(const ConnectionOptions& options) {
   if (!IsPlainName(options.schema)) return InvalidArgument("a schema's name has letters, digits and _ alone");
-  // Ours come first, so that what the URL says holds.
+  // Our settings come first, so those of the URL win.
   const std::array<const char*, 11> keys = {"connect_timeout",
                                             "tcp_user_timeout",
                                             "keepalives",
@@ -56,7 +56,7 @@ Result<Connection> Connection::Open(const ConnectionOptions& options) {
   if (opened == nullptr) return ResourceExhausted("cannot connect to the database: no memory");
   Connection connection(opened, options.patience);
   if (PQstatus(opened) != CONNECTION_OK) {
-    return ConnectionLost(kConnectTask, "libpq refused or could not reach it");  // what it says names hosts and users
+    return ConnectionLost(kConnectTask, "libpq refused or could not reach it");  // its message names hosts and users
   }
   constexpr int kOldestVersion = 140000;
   if (PQserverVersion(opened) < kOldestVersion) {
@@ -82,10 +82,10 @@ bool Connection::IsBroken() const { return is_given_up_ || PQstatus(connection_.
 
 std::string Connection::Said() const { return PQerrorMessage(connection_.get()); }
 
-/// What comes later would be taken for the answer to something else.
+/// A late answer would be taken for that of another statement.
 void Connection::GiveUp() { is_given_up_ = true; }
 
-/// Waits until there is something to read, sending meanwhile; false: lost, or out of patience.
+/// Sends until there is something to read; false: the connection is lost, or the patience has passed.
 bool Connection::WaitForInput(Clock::time_point end) {
   pg_conn* const c = connection_.get();
   for (;;) {
@@ -100,7 +100,7 @@ bool Connection::WaitForInput(Clock::time_point end) {
   }
 }
 
-/// Null with !is_lost: the end of a statement's results.
+/// Null without is_lost: the end of a statement's results.
 pg_result* Connection::NextResult(Clock::time_point end, bool& is_lost) {
   while (PQisBusy(connection_.get()) != 0) {
     if (WaitForInput(end)) continue;

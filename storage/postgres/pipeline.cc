@@ -11,7 +11,7 @@
 namespace dhpmap::postgres {
 namespace {
 
-/// Names by texts: the same statement has the same name on every connection.
+/// Names of statements by text, the same on every connection.
 std::string NameOf(const std::string& sql) { return "s" + std::to_string(std::hash<std::string>{}(sql)); }
 
 }  // namespace
@@ -93,7 +93,7 @@ void Connection::Collect(std::span<const Call> calls, const std::vector<std::str
   EndTransaction();
 }
 
-/// After an error the transaction is open, and refuses everything.
+/// After an error the transaction stays open and refuses every statement.
 void Connection::EndTransaction() {
   if (PQtransactionStatus(connection_.get()) == PQTRANS_IDLE) return;
   if (!Execute("ROLLBACK", "end a transaction").ok()) GiveUp();

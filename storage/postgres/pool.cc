@@ -13,7 +13,7 @@ Result<Pool::Lease> Pool::Borrow(bool is_new) {
       idle_.pop_back();
       return Lease(*this, std::move(connection));
     }
-    if (is_new) idle_.clear();  // they were lost with the one before
+    if (is_new) idle_.clear();  // they were lost with the last one
   }
   Result<Connection> opened = Connection::Open(options_);
   if (opened.ok()) return Lease(*this, std::move(opened).value());

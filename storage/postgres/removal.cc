@@ -14,7 +14,7 @@ namespace dhpmap::postgres {
 namespace {
 
 constexpr char kDeleteTask[] = "delete the map";
-// An error (see IsFenced) if the map is there and has another owner.
+// Fails (see IsFenced) if the map exists and has another owner.
 const std::string kCheckOwner =
     "WITH held AS (SELECT owner_epoch FROM maps WHERE name = $1 FOR UPDATE) SELECT 1 / (1 - count(*)) FROM held WHERE "
     "owner_epoch <> $2";
@@ -30,7 +30,7 @@ const std::string kSweepBlobs =
     "ORDER BY b.blob_key LIMIT 512)";
 const std::string kForgetRemoved = "DELETE FROM removed_maps WHERE map_key = $1";
 
-/// Tables whose rows of a map are swept in one step, when its blobs are gone.
+/// Tables whose rows of a map are swept in one step, after its blobs.
 const std::vector<std::string>& SweepTexts() {
   static const std::vector<std::string> texts = [] {
     std::vector<std::string> made;
@@ -120,7 +120,7 @@ void Sweeper::Loop() {
   }
 }
 
-/// Ends early where it cannot go on: the next deletion, or the next process, tries again.
+/// Stops at an error: the next deletion, or the next process, tries again.
 void Sweeper::SweepAll() {
   for (bool has_more = true; has_more;) {
     const auto swept = Guarded<Result<bool>>([this]() -> Result<bool> {

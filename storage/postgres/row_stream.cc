@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A connection's statements of their own: their rows are visited as they come.
+// Connection::Stream: visits the rows of one statement as they arrive.
 #include <libpq-fe.h>
 
 #include "storage/postgres/connection.h"
@@ -22,7 +22,7 @@ Status Connection::Stream(const Call& call, const char* task, const std::functio
   const auto pointers = call.values.Pointers();
   const auto lengths = call.values.Lengths();
   const std::vector<int> formats(types.size(), 1);
-  // In a pipeline of its own: outside of one, libpq would leave the mode to the next pipeline's first statement.
+  // In its own pipeline: otherwise libpq would leave single-row mode to the next pipeline's first statement.
   if (PQenterPipelineMode(connection_.get()) != 1 ||
       PQsendQueryParams(connection_.get(), call.sql->c_str(), static_cast<int>(types.size()), types.data(),
                         pointers.data(), lengths.data(), formats.data(), 1) != 1 ||
@@ -53,7 +53,7 @@ Status Connection::ReadResults(const char* task, const std::function<Status(Answ
       status = ErrorFrom(SqlStateOf(result), task, PQresultErrorMessage(result));
     } else if (status.ok() && answer.Next()) {
       status = visit(answer);
-      if (!status.ok()) GiveUp();  // rather than read what is left
+      if (!status.ok()) GiveUp();  // rather than read the rest
       if (!status.ok()) return status;
     }
   }

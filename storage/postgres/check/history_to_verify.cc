@@ -30,8 +30,8 @@ const std::string kCountEdits =
 const std::string kNotedEdits =
     "SELECT num_edits, edit_bytes, num_histories, history_bytes FROM edit_totals WHERE map_key = $1";
 
-/// Rows by ascending key, some at a time, so that a visitor may ask on the same connection. `text`: of map ($1), keys
-/// above $2, $3 rows at most. `key` takes the key from a row, `visit` is told of each row and whether it could be read.
+/// Visits rows by ascending key, in batches, so that the visitor may use the same connection. `text`: at most $3 rows
+/// of map $1 with keys above $2. `key` returns the key of a row. `visit` gets each row, and whether it could be read.
 template <typename Row, typename KeyOf, typename Visit>
 Status ForEachBySome(Connection& connection, std::int64_t map_key, const Table<Row>& table, const std::string& text,
                      std::int64_t rows_a_time, KeyOf&& key, Visit&& visit) {
@@ -94,7 +94,7 @@ Status HistoryToVerify::ForEachHistory(const VisitHistory& visit) {
   static const std::string text = SelectText(EditHistories(),
                                              "WHERE map_key = $1 AND edit_key > $2 AND edit_key IN (SELECT e.revision "
                                              "FROM edits e WHERE e.map_key = $1) ORDER BY edit_key LIMIT $3");
-  constexpr std::int64_t kHistoriesATime = 4;  // some are of megabytes
+  constexpr std::int64_t kHistoriesATime = 4;  // some have megabytes
   return ForEachBySome(
       connection_, map_key_, EditHistories(), text, kHistoriesATime, [](const EditHistoryRow& row) { return row.key; },
       [&visit](const EditHistoryRow& row, bool is_read) { return visit(row, is_read, row.key); });

@@ -33,7 +33,7 @@ class Repairer {
   Repairer(Connection& connection, const OwnedMap& map, const NamedMap& verified, Verification& found)
       : connection_(connection), map_(map), verified_(verified), found_(found), rows_(connection, map.name) {}
 
-  /// Within a transaction; leaves it to be committed.
+  /// Runs within a transaction, which the caller commits.
   Result<MapHead> Run() {
     DHPMAP_RETURN_IF_ERROR(Lock());
     DHPMAP_RETURN_IF_ERROR(RunAll(CallsToDrop(map_.key, found_)));
@@ -57,7 +57,7 @@ class Repairer {
     return calls.empty() ? Status::Ok() : connection_.Run(calls, kRepairTask).status;
   }
 
-  /// Nobody commits until the end, and nobody has since.
+  /// Locks the map's row until the end, and checks that nothing was committed since the map was verified.
   Status Lock() {
     DHPMAP_ASSIGN_OR_RETURN(Answer answer, connection_.Query(CallOf(kLockMap, map_.key), kRepairTask));
     if (!answer.Next()) return NoSuchMap(map_.name);
@@ -67,7 +67,7 @@ class Repairer {
         .WithReason("STALE_REVISION");
   }
 
-  /// Those that were found, and those of which a tile does not say its cells.
+  /// Submaps that were found damaged, and those with a tile that does not name its cells.
   Result<std::set<std::int64_t>> WrongSubmaps() {
     std::set<std::int64_t> wrong(found_.wrong_submaps.begin(), found_.wrong_submaps.end());
     DHPMAP_ASSIGN_OR_RETURN(Answer silent, connection_.Query(CallOf(kSilentOwners, map_.key), kRepairTask));

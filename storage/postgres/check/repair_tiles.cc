@@ -28,7 +28,7 @@ const std::string kCountAnew =
     "ALL SELECT before_key FROM edit_tiles WHERE map_key = $1 UNION ALL SELECT after_key FROM edit_tiles WHERE map_key "
     "= "
     "$1) a GROUP BY a.blob_key) r ON r.blob_key = b.blob_key WHERE b.map_key = $1 AND coalesce(r.n, 0) <> 1";
-/// What belongs to no map goes as a removed one does.
+/// Rows that belong to no map are swept as those of a removed map.
 const std::string kRemoveLost =
     "INSERT INTO removed_maps (map_key) SELECT k.map_key FROM (SELECT map_key FROM map_config UNION SELECT map_key "
     "FROM "
@@ -46,7 +46,7 @@ Call CallFor(const std::string& text, std::int64_t map_key) {
 std::vector<Call> CallsToDrop(std::int64_t map_key, const Verification& found) {
   std::vector<Call> calls;
   for (const BadTile& bad : found.bad_tiles) {
-    // With a TSDF all of the tile goes: labels of nothing, and what is gone of it, say nothing.
+    // Without its TSDF a tile is deleted whole: its labels and gone voxels then have no meaning.
     const bool is_all = bad.layer == LayerNumber(BlobKind::kTsdfTile);
     Values& values = calls.emplace_back(CallFor(kDropTile, map_key)).values;
     values.Add(bad.owner_key).Add(bad.index.x).Add(bad.index.y).Add(bad.index.z).Add(bad.layer).Add(is_all ? 1 : 0);

@@ -10,7 +10,7 @@
 namespace dhpmap::postgres {
 namespace {
 
-/// The only change of a blob's row: nobody has read it with the wrong number.
+/// The only change to a blob's row. No reader accepted it with the wrong number.
 const std::string kCountBlocks = "UPDATE tile_blobs SET num_blocks = $3 WHERE map_key = $1 AND blob_key = $2";
 const std::string kSayTile =
     "UPDATE tiles SET cells = $7, extent = $8 WHERE map_key = $1 AND owner_id = $2 AND x = $3 AND y = $4 AND z = $5 "

@@ -17,13 +17,13 @@ const std::string kTilesOfOwner =
     "WHERE "
     "t.map_key = $1 AND t.owner_id = $2 ORDER BY t.x, t.y, t.z, t.layer";
 
-/// A question about a map ($1): a number a fault, and what belongs before and after it.
+/// A query about map $1 that returns the number of faults, and the words before and after it.
 struct Question {
   std::string sql;
   const char *before, *after;
 };
 
-/// Blobs that a map's rows refer to, as often as they do.
+/// The blobs that a map's rows refer to, once for each reference.
 const char kReferences[] =
     "(SELECT blob_key FROM tiles WHERE map_key = $1 UNION ALL SELECT before_key FROM edit_tiles WHERE map_key = $1 AND "
     "before_key <> 0 UNION ALL SELECT after_key FROM edit_tiles WHERE map_key = $1 AND after_key <> 0) ";
@@ -45,7 +45,7 @@ const std::vector<Question>& Questions() {
        "t.map_key = $1 AND (t.num_bytes <> octet_length(b.blob) OR (t.owner_id >= 0 AND t.cells = 0)) HAVING count(*) "
        "> "
        "0",
-       "", " rows of tiles do not say what their blobs are"},  // commits go by them
+       "", " rows of tiles do not say what their blobs are"},  // commits rely on them
       {"SELECT edit_key FROM edit_histories h WHERE map_key = $1 AND NOT EXISTS (SELECT 1 FROM edits e WHERE e.map_key "
        "= "
        "h.map_key AND e.revision = h.edit_key) ORDER BY 1",

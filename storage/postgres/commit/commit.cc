@@ -16,8 +16,8 @@ const std::string kNameMap = "INSERT INTO map_names (name, map_key) VALUES ($1, 
 const std::string kPutPlaces = "INSERT INTO commit_places (map_key, commit_id, places) VALUES ($1, $2, $3)";
 const std::string kTrimPlaces = "DELETE FROM commit_places WHERE map_key = $1 AND commit_id <= $2";
 
-/// For who follows the map. Old ones go with some commits alone: a prime number, so that no rhythm of commits that have
-/// no places misses them for ever.
+/// For followers of the map. Only every 61st commit deletes old places: a prime, so that a regular pattern of commits
+/// without places cannot skip it for ever.
 void WritePlaces(const MapHead& head, const FetchedState& state, std::vector<Call>& calls) {
   constexpr std::int64_t kCommitsATrim = 61;
   CommitPlaces places;

@@ -21,7 +21,7 @@ std::int64_t UnZigZag(std::uint64_t word) {
 
 Status Damaged() { return DataLoss("the places of a commit are damaged"); }
 
-/// A coordinate as its distance from the tile before; false: none of a tile.
+/// Moves a coordinate by its distance from that of the previous tile. False: out of range.
 bool Advance(std::int32_t& coordinate, std::int64_t by) {
   constexpr std::int64_t kMost = std::int64_t{1} << 33;
   if (by < -kMost || by > kMost) return false;

@@ -13,13 +13,12 @@ namespace dhpmap::postgres {
 namespace {
 
 const std::string kCollectDead =
-    "WITH dead AS (DELETE FROM blob_counts WHERE map_key = $1 AND num_refs <= 0 AND blob_key IN (SELECT c.blob_key "
-    "FROM "
-    "blob_counts c WHERE c.map_key = $1 AND c.num_refs <= 0 AND c.since_ns < $2 ORDER BY c.since_ns LIMIT $3) "
-    "RETURNING "
-    "blob_key) DELETE FROM tile_blobs USING dead WHERE tile_blobs.map_key = $1 AND tile_blobs.blob_key = dead.blob_key";
+    "WITH dead AS (DELETE FROM blob_counts WHERE map_key = $1 AND num_refs <= 0 AND blob_key IN "
+    "(SELECT c.blob_key FROM blob_counts c WHERE c.map_key = $1 AND c.num_refs <= 0 AND c.since_ns < $2 "
+    "ORDER BY c.since_ns LIMIT $3) RETURNING blob_key) "
+    "DELETE FROM tile_blobs USING dead WHERE tile_blobs.map_key = $1 AND tile_blobs.blob_key = dead.blob_key";
 
-/// The row that follows from a state and what is stored of its layers. Its parts are sealed as they are after it.
+/// The row for a state and its stored layers, sealed with the parts of that state.
 MapRow RowAfter(const MapRow& before, const MapSnapshot& after, const TileTotals& tiles, bool lacks_left,
                 const MapParts& parts_before, const MapParts& parts) {
   MapRow row = MapRowOf(after);
@@ -35,8 +34,8 @@ MapRow RowAfter(const MapRow& before, const MapSnapshot& after, const TileTotals
   return row;
 }
 
-/// More than the commit wrote, so that their number stays bounded under continuous commits, and not many more, so that
-/// none takes long.
+/// Deletes more unused blobs than the commit wrote, so their number stays bounded; but not many more, so that no commit
+/// takes long.
 void CollectDead(std::int64_t map_key, std::int64_t now_ns, std::int64_t num_written, const KeepingLimits& limits,
                  std::vector<Call>& calls) {
   const auto before_ns = now_ns - static_cast<std::int64_t>(limits.dead_grace_s * 1e9);
@@ -50,7 +49,7 @@ Result<WrittenTiles> CommitPlan::Make(const MapParts& parts_before, MapHead& hea
   const EditRecord* const edit = request_.edit;
   const MapSnapshot& after = request_.after;
   if (edit != nullptr) state_.edits.Record(map_.key, *edit, now_ns_, limits_.edits, calls);
-  // What undoes an undo is kept with the edit that it undid.
+  // The undo data of an undo are kept with the edit that it undid.
   const bool is_kept =
       edit != nullptr && edit->entry.summary.kind == EditKind::kEdit && limits_.edits.max_histories > 0;
   EditTiles* const objects = is_kept ? &own_tiles_ : nullptr;

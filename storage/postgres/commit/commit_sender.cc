@@ -42,7 +42,7 @@ Status CommitSender::Send(OwnedMap& map, Pool::Lease first, const std::vector<Ca
       if (IsWorthRepeating(done.sqlstate)) continue;
       return done.status;
     }
-    connection.reset();  // before another is asked what became of it
+    connection.reset();  // before another connection asks for the outcome
     map.doubt = doubt();
     DHPMAP_ASSIGN_OR_RETURN(const bool was_made, SettleNow(map));
     map.doubt.reset();
@@ -51,7 +51,7 @@ Status CommitSender::Send(OwnedMap& map, Pool::Lease first, const std::vector<Ca
   return NotMade(map.name);
 }
 
-/// As long as somebody waits for it.
+/// Tries until `patience_` has passed.
 Result<bool> CommitSender::SettleNow(OwnedMap& map) {
   const auto end = std::chrono::steady_clock::now() + patience_;
   for (;;) {

@@ -16,7 +16,7 @@ constexpr char kFetchTask[] = "read what a commit changes";
 
 using Keys = std::vector<std::int64_t>;
 
-/// What to ask for by which keys.
+/// The keys to fetch.
 struct WantedTiles {
   Keys submap_ids, whole_owners, blobs;
   Keys owners, x, y, z;  ///< of single tiles

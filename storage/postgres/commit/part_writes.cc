@@ -10,7 +10,7 @@ namespace {
 
 const std::string kDeleteConfig = "DELETE FROM map_config WHERE map_key = $1";
 
-/// In place of all that is stored, retired keys included.
+/// Replaces all stored keys, retired ones included.
 void WriteConfig(const std::vector<ConfigRow>& rows, std::vector<Call>& calls) {
   static const std::string insert = InsertText(ConfigTable());
   calls.emplace_back(Call{&kDeleteConfig}).values.Add(rows.front().map_key);

@@ -40,7 +40,7 @@ Status Writer::ReserveOwned(OwnedMap& map, const NumberMarks& marks) {
   SealMapRow(after.row);
   const std::vector<Call> calls = {{&BeginText()}, ReplaceHead(before, after), {&CommitText()}};
   DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow());
-  if (map.doubt) {  // of a commit that was made: the next one has to know of it, whatever becomes of this one
+  if (map.doubt) {  // the commit was made: the next commit must know, whether or not this call succeeds
     const Answers done = connection->Run(calls, "reserve numbers");
     if (!done.status.ok()) return done.status;
     return IsAcknowledged(done) ? Status::Ok() : InDoubt(name);

@@ -7,7 +7,7 @@
 namespace dhpmap::postgres {
 
 const std::string& TilesByPlace() {
-  // OFFSET 0: one look-up by key for each, whatever the planner believes of their number.
+  // OFFSET 0: the planner must look each key up by the index, however many it expects.
   static const std::string text =
       "SELECT t.owner_id, t.x, t.y, t.z, t.layer, t.blob_key, t.num_bytes, t.cells, t.extent FROM unnest($2, $3, $4, "
       "$5) "

@@ -15,7 +15,7 @@ const std::string kEraseSubmap = "DELETE FROM submaps WHERE map_key = $1 AND sub
 void SubmapWrites::Fetched(Answer& submaps) {
   while (submaps.Next()) {
     SubmapRow row;
-    (void)ReadRow(Submaps(), submaps, row);  // a damaged row is written anew, as the state in memory is whole
+    (void)ReadRow(Submaps(), submaps, row);  // a damaged row is replaced: the state in memory is whole
     stored_[row.info.id.value] = row;
   }
 }

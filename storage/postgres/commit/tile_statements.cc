@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What TileWrites adds to a commit in the end.
+// The statements that TileWrites adds to a commit.
 #include <string>
 #include <utility>
 

@@ -54,20 +54,20 @@ Status Writer::CommitOwned(OwnedMap& map, const CommitRequest& request) {
   DHPMAP_ASSIGN_OR_RETURN(const bool was_made, sender_.Settle(map));
   const Doubt doubt = *std::exchange(map.doubt, std::nullopt);
   if (!was_made || doubt.after == nullptr) return CommitFrom(map, request);
-  // The caller has dropped the edit, which the store has: only who loads the map anew can go on from there.
+  // The store has the edit, which the caller has dropped: the map must be loaded again.
   if (doubt.is_edit) {
     Status stale = ValidateBase(request.before.info(), doubt.after->revision(), doubt.after->info().create_time_ns);
     return stale.ok() ? CommitFrom(map, request) : stale;
   }
   const bool is_from_before = request.before.revision() == doubt.revision_before;
   if (is_from_before && request.edit == nullptr && request.after.revision() == doubt.after->revision()) {
-    return Status::Ok();  // of frames a revision is one state
+    return Status::Ok();  // frames: one state for each revision
   }
-  // What the caller takes for the stored state is the one before: frames go on from the one that is stored.
+  // The caller believes that the earlier state is stored: frames continue from the state that is stored.
   const bool is_later = is_from_before && request.edit == nullptr && request.after.revision() > doubt.after->revision();
   Status done = CommitFrom(map, is_later ? CommitRequest{*doubt.after, request.after} : request);
   if (map.doubt) map.doubt->revision_before = doubt.revision_before;
-  else if (!done.ok()) map.doubt = doubt;  // known, and still not by the caller
+  else if (!done.ok()) map.doubt = doubt;  // settled, but the caller does not know yet
   return done;
 }
 
@@ -97,7 +97,7 @@ Status Writer::CommitFrom(OwnedMap& map, const CommitRequest& request) {
   return done;
 }
 
-/// On a connection that may have been lost since it was used last: what is fetched is read, so once more on a new one.
+/// An idle connection may have been lost. Fetching only reads, so it is repeated once on a new connection.
 Result<Pool::Lease> Writer::FetchOver(const OwnedMap& map, const PlannedChanges& planned, FetchedState& state) {
   for (bool is_second = false;; is_second = true) {
     DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow(is_second));
@@ -113,7 +113,7 @@ Status Writer::Delete(const std::string& name) {
     DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow());
     return RemoveMap(*connection, name, epoch);
   };
-  if (owned.status().code() == StatusCode::kDataLoss) return remove(std::nullopt);  // its row does not say whose it is
+  if (owned.status().code() == StatusCode::kDataLoss) return remove(std::nullopt);  // the damaged row names no owner
   if (!owned.ok()) return owned.status();
   OwnedMap& map = **owned;
   const MutexLock lock(map.mutex);

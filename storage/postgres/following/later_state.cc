@@ -20,7 +20,7 @@ namespace {
 constexpr char kReadLaterTask[] = "read what was committed";
 const std::string kPlaces =
     "SELECT places FROM commit_places WHERE map_key = $1 AND commit_id > $2 ORDER BY commit_id LIMIT $3";
-/// Beyond, the whole map is read: that takes less memory at once.
+/// Beyond it the whole map is read, which takes less memory at once.
 constexpr std::size_t kMostTileRows = 16'384;
 
 }  // namespace
@@ -32,7 +32,7 @@ Result<StateToRead> ReadState(Connection& connection, const std::string& name, T
   MapHead head;
   if (!answer.Next()) return NoSuchMap(name);
   if (!ReadHead(answer, head)) return DamagedRows(name, "its row has a wrong checksum");
-  // The state may be later than this commit: then what came between is read once more.
+  // The state may be later than this commit; rows in between are then read once more.
   StateToRead state{.map_key = head.row.key, .commit_id = head.commit_id, .store = NextStoreNumber()};
   DHPMAP_ASSIGN_OR_RETURN(state.snapshot, ReadMapState(connection, name, state.map_key, state.store, pool));
   return state;

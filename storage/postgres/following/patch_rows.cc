@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// StatePatch: reads the rows that were written since.
+// StatePatch: reads the rows written since the earlier state.
 #include <array>
 #include <limits>
 #include <span>
@@ -16,7 +16,7 @@ namespace dhpmap::postgres {
 namespace {
 
 constexpr char kReadRowsTask[] = "read what was committed";
-// A scalar subquery: one look-up by key for each, whatever the planner believes of their number.
+// A scalar subquery: the planner must look each key up by the index, however many it expects.
 const std::string kTileColumns =
     "t.owner_id, t.x, t.y, t.z, t.layer, t.blob_key, (SELECT b.blob FROM tile_blobs b WHERE b.map_key = t.map_key AND "
     "b.blob_key = t.blob_key)";
@@ -41,7 +41,7 @@ TileRow ChangedTileOf(Answer& answer) {
 
 }  // namespace
 
-/// Submaps that were written, as they are now.
+/// The present rows of written submaps.
 Status StatePatch::ReadRows(Connection& connection) {
   std::vector<std::int64_t> ids;
   for (const auto& [owner, places] : places_.owners()) {
@@ -99,7 +99,7 @@ bool StatePatch::AddPlaces(Values& values) const {
   return !columns[0].empty();
 }
 
-/// Submaps that are new, or were erased meanwhile, as at loading.
+/// Reads new submaps, and those that were erased meanwhile, as loading does.
 Status StatePatch::ReadWhole(Connection& connection) {
   if (whole_.empty()) return Status::Ok();
   SubmapMaker maker(before_.store, pool_);

@@ -64,7 +64,7 @@ Result<std::shared_ptr<const Submap>> TilePatch::Apply(const Submap& before, con
   return std::shared_ptr<const Submap>(std::move(submap));
 }
 
-/// The sum of rows covers all tiles, so it shows whether those that were kept are still the stored ones.
+/// The sum of the rows covers all tiles, so it shows whether the shared tiles are still the stored ones.
 Status TilePatch::Check(const Submap& submap, const SubmapRow& row) const {
   DHPMAP_RETURN_IF_ERROR(CheckCounts(CountBlocks(submap), row.counts));
   constexpr std::uint16_t kNone = 0;

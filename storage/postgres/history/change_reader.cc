@@ -27,7 +27,7 @@ Result<std::optional<ChangeLogRow>> ReadLog(Connection& connection, const MapRow
   return log.history_id == map.info.history_id ? std::optional(log) : std::nullopt;
 }
 
-/// Some rows after `previous`, each of which follows the one before.
+/// Reads some rows after `previous`, each following the one before.
 Status ReadSome(Connection& connection, const MapRow& map, const ChangeLogRow& log, std::int64_t& previous,
                 std::size_t max_bytes, std::size_t& num_bytes, ChangeList& list) {
   static const std::string text = SelectText(

@@ -10,7 +10,7 @@
 namespace dhpmap::postgres {
 namespace {
 
-/// Of those beyond the limits so many go with one commit, which adds one: the LIMIT below.
+/// A commit adds one row and deletes at most this many beyond the limits: the LIMIT below.
 constexpr std::size_t kMostTrimmedChanges = 16;
 const std::string kOldestChanges =
     "SELECT last_revision, seen_ns, octet_length(blob) FROM changes WHERE map_key = $1 ORDER BY last_revision LIMIT 16";
@@ -41,7 +41,7 @@ void ChangeWrites::FetchedOldest(Answer& oldest) {
   }
 }
 
-/// The log that the change goes on with.
+/// The log that the change continues.
 ChangeLogRow ChangeWrites::LogBefore(std::int64_t map_key, const MapInfo& info, const MapChange& change,
                                      std::vector<Call>& calls) {
   const std::int64_t before = change.first_revision - 1;
@@ -73,13 +73,13 @@ void ChangeWrites::Write(std::int64_t map_key, const MapInfo& info, const MapCha
   Bytes blob = EncodeChange(change);
   const auto num_bytes = static_cast<std::int64_t>(blob.size());
   if (num_bytes > limits.max_bytes) {
-    log.complete_after = change.last_revision;  // it has no room, so what was before is of no use either
+    log.complete_after = change.last_revision;  // it does not fit, so the earlier changes are useless too
   } else {
     const ChangeRow row = ChangeRowOf(change, std::move(blob), now_ns, log);
     Changes().BindAll(row, calls.emplace_back(Call{&upsert}).values);
     ++log.num_changes;
     log.num_bytes += num_bytes;
-    // Where those fetched are all that there are, it is the next.
+    // If all rows were fetched, it is the next.
     if (oldest_.size() < kMostTrimmedChanges) oldest_.push_back({row.last_revision, now_ns, num_bytes});
   }
   log.last_revision = change.last_revision;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr char kReadEditsTask[] = "read the log of edits";
 
-/// What is beside a row of the edit log.
+/// The rows that belong to a row of the edit log.
 struct EditMarks {
   bool is_undone = false, is_kept = false;
 };

@@ -42,7 +42,7 @@ Status EditTileWrites::Note(std::int64_t submap_id, TileIndex index, std::int64_
     totals_.bytes += before.bytes + after.bytes + kEditTileBytes;
     return Status::Ok();
   }
-  // The row is of before the edit to somewhere between; from now on it is to `after`.
+  // The stored row ends at a state in between; from now on it ends at `after`.
   Tile& tile = known->second;
   counts.Add(tile.after, -1);
   TileTotals old;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// EditWrites: what leaves the log and the undo data with a commit.
+// EditWrites: deletes the oldest rows of the log and the undo data.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -11,7 +11,7 @@
 namespace dhpmap::postgres {
 namespace {
 
-/// Of those beyond the limits so many go with one edit.
+/// An edit deletes at most this many rows beyond the limits.
 constexpr std::size_t kMostTrimmed = 16;
 
 const std::string kPutTotals =
@@ -32,7 +32,7 @@ const std::string kTrimEditTiles =
 
 }  // namespace
 
-/// The newest stays, whatever it takes: it was made, and may be asked for again.
+/// The newest row stays whatever its size: the client may repeat its request.
 void EditWrites::TrimLog(std::int64_t map_key, std::int64_t newest, std::int64_t now_ns, const EditLogLimits& limits,
                          std::vector<Call>& calls) {
   std::vector<std::int64_t> gone;

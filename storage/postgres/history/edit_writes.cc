@@ -14,7 +14,7 @@ const std::string kTotals =
 const std::string kOldestEdits =
     "SELECT revision, seen_ns, 64 + octet_length(author) + octet_length(request_id) + octet_length(summary) + "
     "octet_length(answer) FROM edits WHERE map_key = $1 ORDER BY revision LIMIT 16";
-// More than are trimmed, as edits that leave the log take theirs along.
+// More than are trimmed, since edits that leave the log take their histories along.
 const std::string kOldestHistories =
     "SELECT h.edit_key, e.seen_ns, h.num_bytes, (SELECT count(*) FROM edit_tiles t WHERE t.map_key = h.map_key AND "
     "t.edit_key = h.edit_key) FROM edit_histories h JOIN edits e ON e.map_key = h.map_key AND e.revision = h.edit_key "
@@ -85,7 +85,7 @@ void EditWrites::Keep(const EditHistoryRow& history, std::int64_t now_ns, const 
 
 void EditWrites::GoOn(EditHistoryRow history, std::int64_t now_ns, const EditTileWrites& tiles,
                       std::vector<Call>& calls) {
-  if (!EditHistories().IsIntact(history, history.seal)) return;  // stays what it is: not to be read
+  if (!EditHistories().IsIntact(history, history.seal)) return;  // stays unreadable
   const EditTileSums more = tiles.sums();
   history.num_bytes += more.num_bytes;
   history.tiles_sum =

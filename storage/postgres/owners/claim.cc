@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a map is taken: see MapOwnership::ClaimMap.
+// MapOwnership::ClaimMap: takes a map.
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -12,7 +12,7 @@ namespace dhpmap::postgres {
 namespace {
 
 constexpr int kMostTries = 8;
-/// Half a second each, after which the transactions of a dead owner are ended.
+/// After this many lock timeouts of half a second each, the dead owner's connections are ended.
 constexpr int kBlockedUntilEnded = 2;
 
 Status NobodyTakes(const std::string& map, const std::string& why) {
@@ -22,7 +22,7 @@ Status NobodyTakes(const std::string& map, const std::string& why) {
 
 }  // namespace
 
-/// One thread claims a map; the others wait, and find it.
+/// One thread claims a map while the others wait for its result.
 class MapOwnership::Turn {
  public:
   Turn(MapOwnership& maps, const std::string& name) : maps_(maps), name_(name) {
@@ -55,7 +55,7 @@ Result<MapOwnership::Claim> MapOwnership::ClaimInTurn(const std::string& name) {
   const auto end = Clock::now() + std::chrono::nanoseconds(peers_.lease_ns()) + std::chrono::seconds(1);
   int num_blocked = 0;
   bool was_lost = false;
-  std::int64_t refused_at = 0;  // the commit_id at which an owner was thought to be dead, and was not
+  std::int64_t refused_at = 0;  // commit_id at which an owner seemed dead and was not
   for (int n = 0; n < kMostTries; ++n) {
     const std::int64_t round = Round();
     DHPMAP_ASSIGN_OR_RETURN(const MapHead head, ReadMapHead(name));
@@ -87,7 +87,7 @@ Result<MapOwnership::Claim> MapOwnership::ClaimInTurn(const std::string& name) {
       }
       return done;
     }();
-    if (!taken.ok()) {  // where an answer was lost it may be ours: look
+    if (!taken.ok()) {  // the answer was lost: the map may be ours
       if (was_lost || taken.status().code() != StatusCode::kUnavailable) return taken.status();
       was_lost = true;
     }
@@ -122,7 +122,7 @@ Status MapOwnership::MayTake(const std::string& name) {
 bool MapOwnership::AwaitBeat(Clock::time_point end) {
   const MutexLock lock(mutex_);
   const std::int64_t before = num_beats_;
-  if (before == 0) return false;  // nobody beats by itself
+  if (before == 0) return false;  // no thread beats: a test does
   return is_beaten_.WaitUntil(mutex_, end, [&]() DHPMAP_REQUIRES(mutex_) { return num_beats_ != before; });
 }
 

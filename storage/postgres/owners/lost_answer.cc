@@ -8,7 +8,7 @@ namespace dhpmap::postgres {
 namespace {
 
 constexpr char kAskTask[] = "ask what became of a commit";
-// A plain SELECT would read the state of before a commit that waits for its standbys, and is visible later.
+// A plain SELECT would not see a commit that still waits for its standbys and becomes visible later.
 const std::string kPresentCommit = "SELECT commit_id, owner_epoch FROM maps WHERE map_key = $1 FOR UPDATE";
 
 }  // namespace
@@ -24,7 +24,7 @@ Result<bool> WasMade(Pool& pool, const OwnedMap& map, std::int64_t commit_id) {
   call.values.Add(map.key);
   Answers asked = connection->Run({&call, 1}, kAskTask);
   if (!asked.status.ok()) return asked.status;
-  // To lock a row is to write, which waits for the standbys, too: unless somebody has ended that wait.
+  // Locking a row writes, so it waits for the standbys too, unless an administrator ends that wait.
   if (asked.has_warning) return ConnectionLost(kAskTask, "no standby has answered");
   Answer& answer = asked.answers.front();
   if (!answer.Next()) return NoSuchMap(map.name);

@@ -12,7 +12,7 @@ namespace {
 
 const std::string kOwnerOf = "SELECT owner FROM maps WHERE map_key = $1";
 
-/// Beyond it some are forgotten: a commit of theirs would then take the map, and find another revision.
+/// Beyond it some are forgotten: a commit to one would take the map, and be refused for its revision.
 constexpr std::size_t kMostLeft = 100'000;
 
 }  // namespace

@@ -31,7 +31,7 @@ template <typename Row>
 void ReadAll(const Table<Row>& table, Answer& answer, std::vector<Row> MapParts::*list, CatalogPage& page) {
   while (answer.Next()) {
     Row row;
-    (void)ReadRow(table, answer, row);  // a wrong value has another checksum
+    (void)ReadRow(table, answer, row);  // a wrong value fails the checksum
     (page.parts[row.map_key].*list).push_back(std::move(row));
   }
 }

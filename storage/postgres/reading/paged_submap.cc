@@ -18,7 +18,7 @@ const std::string kRowsOfSubmap =
     "SELECT t.x, t.y, t.z, t.layer, t.blob_key, coalesce(c.num_refs, 1) > 1, t.cells, t.extent FROM tiles t LEFT JOIN "
     "blob_counts c ON c.map_key = t.map_key AND c.blob_key = t.blob_key WHERE t.map_key = $1 AND t.owner_id = $2 ORDER "
     "BY t.x, t.y, t.z, t.layer";
-// One statement, so that the rows are those of the sum.
+// One statement, so the rows match the sum.
 const std::string kRowsOfTile =
     "SELECT s.tiles_sum, t.layer IS NULL, t.x, t.y, t.z, t.layer, t.blob_key, coalesce(c.num_refs, 1) > 1, t.cells, "
     "t.extent FROM submaps s LEFT JOIN tiles t ON t.map_key = s.map_key AND t.owner_id = s.submap_id AND t.x = $3 AND "

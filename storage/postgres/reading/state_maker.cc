@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kReadTilesTask[] = "read the map";
 
-/// Makes a map of its rows, which come by owner: those of the map itself first.
+/// Makes a map from its rows, which come by owner: those of the map itself first.
 class StateMaker {
  public:
   StateMaker(const std::vector<SubmapRow>& rows, std::uint16_t store, ThreadPool& pool)

@@ -11,7 +11,7 @@ bool IsThere(Written written) { return written != Written::kElsewhere; }
 bool IsKey(Written written) { return written == Written::kOnce; }
 bool IsAlways(Written written) { return written == Written::kAlways; }
 
-/// What `text` makes of each wanted column and its number among them.
+/// Joins text(column, number) over the wanted columns.
 std::string Join(const TableSql& table, Wanted wanted, const char* between,
                  const std::function<std::string(const std::string& name, int number)>& text,
                  const MoreColumns& more = {}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MapArrival: the rows of a file as rows of this store.
+// MapArrival: turns the rows of a file into rows of this store.
 #include <string>
 
 #include "mapping/map/history_id.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kStepBytes = 1u << 20;
 constexpr std::int64_t kFirstBlobKey = 1;
-// Not as commits write them: a step whose answer was lost is sent again.
+// Unlike commits: a step whose answer was lost is sent again.
 const std::string kBringBlob =
     "INSERT INTO tile_blobs (map_key, blob_key, num_blocks, blob) VALUES ($1, $2, $3, $4) ON CONFLICT DO NOTHING";
 const std::string kBringTile =
@@ -61,7 +61,7 @@ Result<TileTotals> MapArrival::CopyTiles(FileTiles& tiles, std::int64_t from_own
   return totals;
 }
 
-/// With the submaps' own rows, which say what tiles they have.
+/// Includes the submaps' own rows, which name their tiles.
 Status MapArrival::BringTiles(FileHead& from, const std::stop_token& stop) {
   static const std::string upsert = UpsertText(Submaps());
   DHPMAP_ASSIGN_OR_RETURN(FileTiles tiles, FileTiles::Prepare(file_));
@@ -80,7 +80,7 @@ Status MapArrival::BringTiles(FileHead& from, const std::stop_token& stop) {
   return Write(waiting_);
 }
 
-/// The map's own row as Add writes it, but for the name; what belongs to it in other tables goes with the rest.
+/// The map's own row as Add writes it, without the name. Its rows in other tables are written with the rest.
 void MapArrival::PrepareHead(const FileHead& from, const TileTotals& own_tiles) {
   constexpr std::int64_t kFirstCommit = 1, kFirstEpoch = 1, kNobody = 0;
   head_ = {.row = {.key = incoming_->key(),

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char kImportTask[] = "import the map";
 const std::string kExpectMap = "INSERT INTO incoming_maps (map_key) VALUES ($1) ON CONFLICT DO NOTHING";
-// The lock is held for as long as the file takes: the connection's own limit is for commits.
+// The lock is held while the file is read; the connection's usual limit is meant for commits.
 const std::string kHoldForLong = "SELECT set_config('idle_in_transaction_session_timeout', '0', true)";
 const std::string kLockIncoming = "SELECT map_key FROM incoming_maps WHERE map_key = $1 FOR UPDATE";
 const std::string kArrive =
@@ -34,7 +34,7 @@ Call CallWith(const std::string& text, std::int64_t map_key) {
 Result<IncomingMap> IncomingMap::Begin(const ConnectionOptions& options) {
   DHPMAP_ASSIGN_OR_RETURN(Connection connection, Connection::Open(options));
   const auto key = static_cast<std::int64_t>(DrawHistoryId());
-  constexpr int kMostTries = 8;  // whoever sweeps may come between the row and its lock
+  constexpr int kMostTries = 8;  // a sweeper may come between the row and its lock
   for (int n = 0; n < kMostTries; ++n) {
     DHPMAP_RETURN_IF_ERROR(connection.Query(CallWith(kExpectMap, key), kImportTask).status());
     const std::vector<Call> hold = {{&BeginText()}, {&kHoldForLong}, CallWith(kLockIncoming, key)};
@@ -46,7 +46,7 @@ Result<IncomingMap> IncomingMap::Begin(const ConnectionOptions& options) {
   return ConnectionLost(kImportTask, "others sweep what it begins");
 }
 
-/// Says so rather than leave it to the end of the connection, which the database sees a moment later.
+/// Releases the lock at once; the database would notice the closed connection only a moment later.
 IncomingMap::~IncomingMap() {
   if (!connection_.IsBroken()) (void)connection_.Execute("ROLLBACK", kImportTask);
 }
@@ -64,7 +64,7 @@ Result<std::int64_t> GiveUpAbandoned(Connection& connection) {
 }
 
 Result<bool> HasArrived(Connection& connection, std::int64_t map_key) {
-  // The backend that was to commit holds the first row until it ends; the second shows what it left.
+  // The backend of the lost commit holds the first row until it ends; the second row shows the outcome.
   const std::vector<Call> calls = {CallWith(kLockIncoming, map_key), CallWith(kIsMapThere, map_key)};
   const Answers asked = connection.Run(calls, "ask what became of an import");
   if (!asked.status.ok()) return asked.status;

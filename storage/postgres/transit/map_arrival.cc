@@ -16,7 +16,8 @@ constexpr char kArrivalTask[] = "import the map";
 constexpr std::size_t kStepRows = 2'000;
 const std::string kNameArrived = "INSERT INTO map_names (name, map_key) VALUES ($1, $2)";
 
-/// In the file itself, of which nobody else knows. Older versions did not write them, and commits go by them here.
+/// Writes them into the file, which no other process uses. Older versions did not write them, and commits need them
+/// here.
 Status NoteCellsOf(MapFile& file) {
   const auto write = [&file](const std::function<Status(sqlite::Database&)>& body) -> Status {
     DHPMAP_ASSIGN_OR_RETURN(Transaction transaction, Transaction::BeginWrite(file.database()));
@@ -30,7 +31,7 @@ Status NoteCellsOf(MapFile& file) {
 
 MapArrival::~MapArrival() {
   if (!incoming_) return;
-  incoming_.reset();  // lets go of the lock
+  incoming_.reset();  // releases the lock
   on_abandoned_();
 }
 

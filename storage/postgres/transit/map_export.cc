@@ -16,7 +16,7 @@ const std::string kTilesOfMap =
     "SELECT owner_id, x, y, z, layer, blob_key, cells, extent FROM tiles WHERE map_key = $1 ORDER BY owner_id, x, y, "
     "z, "
     "layer";
-/// Those that tiles refer to: not what undoes edits, and what is to be deleted.
+/// The blobs that tiles refer to, without undo data and unused blobs.
 const std::string kBlobsOfMap =
     "SELECT blob_key, num_blocks, blob FROM tile_blobs WHERE map_key = $1 AND blob_key IN (SELECT t.blob_key FROM "
     "tiles "
@@ -34,7 +34,7 @@ TileOfMap TileFrom(Answer& row) {
   return tile;
 }
 
-/// One statement after the other, each row as it comes.
+/// Runs one statement after the other and copies each row as it arrives.
 class Exporter {
  public:
   Exporter(Connection& connection, const std::string& name, const std::stop_token& stop)
