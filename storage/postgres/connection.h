@@ -39,7 +39,8 @@ struct ConnectionOptions {
 };
 
 /// A connection to a PostgreSQL server: statements are prepared when first used, sent in one go and answered in one
-/// round trip. Thread-compatible. Errors: UNAVAILABLE if it is lost (IsBroken, for good), else as ErrorFrom.
+/// round trip. Thread-compatible. Errors: UNAVAILABLE if it is lost (IsBroken, for good), else as ErrorFrom. If a call
+/// throws, the connection is lost.
 class Connection {
  public:
   static Result<Connection> Open(const ConnectionOptions& options);
@@ -82,6 +83,8 @@ class Connection {
   void Collect(std::span<const Call> calls, const std::vector<std::string>& names, const char* task, Answers& answers);
   void EndTransaction();
   void GiveUp();
+  /// Gives the connection up unless it is dismissed, so that no exception leaves answers to be read by the next user.
+  class Unfinished;
   [[nodiscard]] std::string Said() const;
 
   std::unique_ptr<pg_conn, Closer> connection_;

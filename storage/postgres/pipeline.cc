@@ -7,6 +7,7 @@
 
 #include "storage/postgres/connection.h"
 #include "storage/postgres/postgres_error.h"
+#include "storage/postgres/unfinished.h"
 
 namespace dhpmap::postgres {
 namespace {
@@ -41,16 +42,17 @@ Answers Connection::Run(std::span<const Call> calls, const char* task) {
     return answers;
   }
   ++state_->num_round_trips;
+  Unfinished unfinished(*this);
   std::vector<std::string> names;
   bool is_sent = PQenterPipelineMode(connection_.get()) == 1;
   for (const Call& call : calls) is_sent = is_sent && Send(call, names);
   if (!is_sent || PQpipelineSync(connection_.get()) != 1) {
     answers.status = ConnectionLost(task, Said());
     answers.outcome = Outcome::kUnknown;
-    GiveUp();
     return answers;
   }
   Collect(calls, names, task, answers);
+  unfinished.Dismiss();
   return answers;
 }
 

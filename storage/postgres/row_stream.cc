@@ -4,6 +4,7 @@
 
 #include "storage/postgres/connection.h"
 #include "storage/postgres/postgres_error.h"
+#include "storage/postgres/unfinished.h"
 
 namespace dhpmap::postgres {
 
@@ -34,27 +35,30 @@ Status Connection::Stream(const Call& call, const char* task, const std::functio
 }
 
 Status Connection::ReadResults(const char* task, const std::function<Status(Answer& row)>& visit) {
+  Unfinished unfinished(*this);
   Status status;
   for (bool is_lost = false;;) {
     Answer answer(NextResult(Clock::now() + patience_, is_lost));
     const pg_result* const result = answer.result();
     if (is_lost || (result == nullptr && IsBroken())) {
-      GiveUp();
       return status.ok() ? ConnectionLost(task, Said()) : status;
     }
     const bool is_pipeline = PQpipelineStatus(connection_.get()) != PQ_PIPELINE_OFF;
     if (result == nullptr && is_pipeline) continue;
-    if (result == nullptr) return status;
+    if (result == nullptr) {
+      unfinished.Dismiss();
+      return status;
+    }
     if (PQresultStatus(result) == PGRES_PIPELINE_SYNC) {
       (void)PQexitPipelineMode(connection_.get());
+      unfinished.Dismiss();
       return status;
     }
     if (PQresultStatus(result) == PGRES_FATAL_ERROR) {
       status = ErrorFrom(SqlStateOf(result), task, PQresultErrorMessage(result));
     } else if (status.ok() && answer.Next()) {
       status = visit(answer);
-      if (!status.ok()) GiveUp();  // rather than read the rest
-      if (!status.ok()) return status;
+      if (!status.ok()) return status;  // gives up rather than read the rest
     }
   }
 }

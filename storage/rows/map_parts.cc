@@ -81,6 +81,10 @@ Status FillInfo(MapRow& row, const MapParts& parts) {
   return Status::Ok();
 }
 
+bool HasReservedNumbers(const MapRow& row) {
+  return row.marks.revision > row.info.revision || row.marks.next_submap_id > row.info.next_submap_id;
+}
+
 void RaiseMarks(MapRow& row) {
   row.marks.revision = std::max(row.marks.revision, row.info.revision);
   row.marks.next_submap_id = std::max(row.marks.next_submap_id, row.info.next_submap_id);

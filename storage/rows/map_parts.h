@@ -39,6 +39,8 @@ void SealMapRow(MapRow& row);
 /// FAILED_PRECONDITION as ConfigOf.
 Status FillInfo(MapRow& row, const MapParts& parts);
 
+/// Whether numbers beyond those of the row may be in use: see MapStore::Reserve.
+bool HasReservedNumbers(const MapRow& row);
 /// Raises the marks to the row's own numbers.
 void RaiseMarks(MapRow& row);
 

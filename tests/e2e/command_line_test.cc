@@ -10,6 +10,7 @@
 
 #include "tests/e2e/rendered_dataset.h"
 #include "tests/e2e/server_process.h"
+#include "tests/e2e/test_database.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap::testing {
@@ -320,6 +321,7 @@ TEST_F(CommandLine, ExportsAnOctoMapWithFreeCells) {
 }
 
 TEST_F(CommandLine, ABackupIsADatabaseThatAServerStartsOn) {
+  SKIP_ON_POSTGRES("pg_dump makes backups");
   ASSERT_EQ(Run({"backup", File("copy.db").string()}).exit_code, 0);
   EXPECT_EQ(Run({"backup", File("copy.db").string()}).exit_code, 1) << "not over a file that is there";
   EXPECT_EQ(Run({"backup", File("copy.db").string(), "--force"}).exit_code, 0);
@@ -377,6 +379,7 @@ std::string SettledDatabase(const std::filesystem::path& folder) {
 }
 
 TEST_F(CommandLine, AServerThatCannotUseItsDatabaseSaysWhyAndLeavesItAlone) {
+  SKIP_ON_POSTGRES("there is no file to damage");
   const std::string good = SettledDatabase(temp_->path());
   ASSERT_GT(good.size(), 10'000u);
   std::string foreign = good, newer = good;
@@ -406,6 +409,7 @@ TEST_F(CommandLine, AServerThatCannotUseItsDatabaseSaysWhyAndLeavesItAlone) {
 }
 
 TEST_F(CommandLine, TwoServersDoNotShareADatabase) {
+  SKIP_ON_POSTGRES("servers do share a database");
   ServerProcess second(temp_->path(), temp_->path() / "maps.db");
   EXPECT_FALSE(second.is_serving());
   EXPECT_EQ(second.process().Wait(), 1);

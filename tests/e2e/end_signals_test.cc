@@ -48,8 +48,8 @@ TEST_F(EndSignals, StoreWhatIsFused) {
     EXPECT_EQ(server_->process().Wait(kPatience_s), 0) << server_->process().Stderr();
     Start();
     EXPECT_EQ(Get<v1::GetMapResponse>("maps/room").map().num_frames(), kFrames);
+    EXPECT_EQ(Ask("DELETE", "/v1/maps/room").status, 200);
     ASSERT_EQ(server_->Terminate(), 0);
-    std::filesystem::remove(db());
   }
 }
 

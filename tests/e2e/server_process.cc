@@ -16,6 +16,8 @@
 #include <fstream>
 #include <regex>
 
+#include "tests/e2e/test_database.h"
+
 namespace dhpmap::testing {
 namespace {
 
@@ -46,7 +48,7 @@ ServerProcess::ServerProcess(const std::filesystem::path& log_dir, const std::fi
                              const std::string& grpc_address)
     : log_dir_(log_dir),
       process_(log_dir,
-               {Program("dhpmap-server"), "--db", db.string(), "--grpc", grpc_address, "--http", "127.0.0.1:0"}) {
+               {Program("dhpmap-server"), "--db", DatabaseFor(db), "--grpc", grpc_address, "--http", "127.0.0.1:0"}) {
   const std::regex line("gRPC on ([0-9.:]+), REST on (http://[0-9.:]+)\n");
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (std::chrono::steady_clock::now() < end) {

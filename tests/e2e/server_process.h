@@ -18,7 +18,7 @@ std::string AddressToComeBackTo();
 /// dhpmap-server on free ports of this machine.
 class ServerProcess {
  public:
-  /// Waits until it serves or has ended; see is_serving.
+  /// On DatabaseFor(db). Waits until it serves or has ended; see is_serving.
   ServerProcess(const std::filesystem::path& log_dir, const std::filesystem::path& db,
                 const std::string& grpc_address = "127.0.0.1:0");
 

@@ -12,6 +12,7 @@
 
 #include "tests/integration/test_server.h"
 #include "tests/integration/watcher.h"
+#include "tests/support/wrapped_store.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -38,7 +39,7 @@ class GatedFile final : public StoreBackup {
 };
 
 /// A memory store that has files to give, part by part.
-class GatedStore final : public MapStore {
+class GatedStore final : public testing::WrappedStore {
  public:
   /// So many parts more may be read.
   void Let(int num_parts) { gate_.release(num_parts); }
@@ -47,20 +48,6 @@ class GatedStore final : public MapStore {
   /// Files are never made: whoever asks for one waits until they go away.
   void set_never_made() { is_never_made_ = true; }
 
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return store_->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return store_->CreateMap(snapshot); }
-  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
-    return store_->Commit(before, after, durability);
-  }
-  Result<ChangeList> ListChanges(const std::string& name, std::int64_t after, std::size_t max_bytes) override {
-    return store_->ListChanges(name, after, max_bytes);
-  }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return store_->LoadMap(name); }
-  Status DeleteMap(const std::string& name) override { return store_->DeleteMap(name); }
-  Status Reserve(const std::string& name, const NumberMarks& marks) override { return store_->Reserve(name, marks); }
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) override { return Make(stop); }
   Result<std::unique_ptr<StoreBackup>> ExportMap(const std::string&, const std::stop_token& stop) override {
     return Make(stop);
@@ -75,7 +62,6 @@ class GatedStore final : public MapStore {
     return Cancelled("its caller has gone");
   }
 
-  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
   std::counting_semaphore<> gate_{0};
   std::atomic<int> num_parts_ = kNumParts;
   std::atomic<bool> is_never_made_ = false;

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "mapping/base/mutex.h"
-#include "storage/store.h"
+#include "tests/support/wrapped_store.h"
 
 namespace dhpmap::testing {
 
 /// A memory store whose disk can be full for a while. Thread-safe.
-class FailingStore final : public MapStore {
+class FailingStore final : public WrappedStore {
  public:
   void set_full(bool is_full) { is_full_ = is_full; }
   /// Runs before each commit that is not refused.
@@ -23,23 +23,24 @@ class FailingStore final : public MapStore {
   void set_before_load(std::function<void()> hook) { before_load_.Set(std::move(hook)); }
   [[nodiscard]] int num_refused() const { return num_refused_; }
 
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return store_->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return is_full_ ? Full() : store_->CreateMap(snapshot); }
+  Status CreateMap(const MapSnapshot& snapshot) override { return is_full_ ? Full() : inner().CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     if (is_full_) return Full();
     before_commit_.Run();
-    return store_->Commit(before, after, durability);
+    return inner().Commit(before, after, durability);
+  }
+  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
+    if (is_full_) return Full();
+    before_commit_.Run();
+    return inner().CommitEdit(before, after, edit);
   }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
     before_load_.Run();
-    return store_->LoadMap(name);
+    return inner().LoadMap(name);
   }
-  Status DeleteMap(const std::string& name) override { return is_full_ ? Full() : store_->DeleteMap(name); }
+  Status DeleteMap(const std::string& name) override { return is_full_ ? Full() : inner().DeleteMap(name); }
   Status Reserve(const std::string& name, const NumberMarks& marks) override {
-    return is_full_ ? Full() : store_->Reserve(name, marks);
+    return is_full_ ? Full() : inner().Reserve(name, marks);
   }
 
  private:
@@ -69,7 +70,6 @@ class FailingStore final : public MapStore {
     return ResourceExhausted("the disk is full");
   }
 
-  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
   Hook before_commit_, before_load_;
   std::atomic<bool> is_full_ = false;
   std::atomic<int> num_refused_ = 0;

@@ -105,12 +105,25 @@ PostgresCluster::~PostgresCluster() {
   waitpid(server_, nullptr, 0);
 }
 
-std::string PostgresCluster::Url() const { return "postgresql://postgres@/postgres?host=" + folder_.path().string(); }
+std::string PostgresCluster::UrlOf(const std::string& database) const {
+  return "postgresql://postgres@/" + database + "?host=" + folder_.path().string();
+}
+
+std::string PostgresCluster::Url() const { return UrlOf("postgres"); }
+
+bool PostgresCluster::RunSql(const std::string& sql) const {
+  return Succeeds(bin_ + "/psql -h " + folder_.path().string() + " -U postgres -c '" + sql + "'");
+}
+
+std::string PostgresCluster::NewDatabase() {
+  const std::string name = "test_" + std::to_string(++num_databases_);
+  if (!RunSql("CREATE DATABASE " + name)) throw std::runtime_error("PostgreSQL makes no database " + name);
+  return UrlOf(name);
+}
 
 void PostgresCluster::CutConnections() const {
-  (void)Succeeds(bin_ + "/psql -h " + folder_.path().string() +
-                 " -U postgres -c 'SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity WHERE application_name "
-                 "LIKE $$dhpmap-server%$$'");
+  (void)RunSql(
+      "SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity WHERE application_name LIKE $$dhpmap-server%$$");
 }
 
 }  // namespace dhpmap::testing

@@ -31,18 +31,22 @@ class PostgresCluster {
   [[nodiscard]] std::string Folder() const { return folder_.path().string(); }
   /// A schema that nobody has used.
   [[nodiscard]] std::string NewSchema() { return "test_" + std::to_string(++num_schemas_); }
+  /// For libpq: a database that nobody has used.
+  [[nodiscard]] std::string NewDatabase();
   /// Ends every connection, as a restart would; what is committed stays.
   void CutConnections() const;
 
  private:
   explicit PostgresCluster(std::string bin) : bin_(std::move(bin)) {}
+  [[nodiscard]] std::string UrlOf(const std::string& database) const;
+  [[nodiscard]] bool RunSql(const std::string& sql) const;
   bool Start();
 
   TempDir folder_;
   const std::string bin_;
   std::string said_;  ///< what it logged until it was ready
   pid_t server_ = -1;
-  int num_schemas_ = 0;
+  int num_schemas_ = 0, num_databases_ = 0;
 };
 
 }  // namespace dhpmap::testing

@@ -8,6 +8,7 @@
 
 #include "mapping/base/guarded.h"
 #include "mapping/base/this_thread.h"
+#include "mapping/map/same_state.h"
 #include "server/app/open_map/shutting_down.h"
 
 namespace dhpmap {
@@ -202,11 +203,12 @@ Result<CommitWorker::Marks> CommitWorker::Store(const Marks& before, const MapSn
   return Marks(std::move(marks));
 }
 
-/// For a commit that threw, possibly after it was written: starting the next one at `before` would always fail.
+/// For a commit that threw, possibly after it was written: starting the next one at `before` would always fail. What an
+/// edit left is committed at the edit's revision: it is written once more, which changes nothing.
 bool CommitWorker::IsStored(const StateMarks& before, const MapSnapshot& after) {
   if (before.revision() == after.revision()) return false;
   const auto stored = Guarded<Result<StoredMap>>([&] { return store_.GetMap(after.info().name); });
-  return stored.ok() && stored->info.revision == after.revision();
+  return stored.ok() && IsSameState(stored->info, after.info());
 }
 
 Status CommitWorker::Delete(const std::string& name) {

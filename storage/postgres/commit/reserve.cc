@@ -5,6 +5,8 @@
 
 #include "storage/postgres/commit/writer.h"
 #include "storage/postgres/owners/lost_answer.h"
+#include "storage/postgres/reading/named_map.h"
+#include "storage/postgres/reading/one_state.h"
 #include "storage/postgres/transaction_text.h"
 #include "storage/rows/map_parts.h"
 
@@ -23,15 +25,14 @@ Status Writer::ReserveOwned(OwnedMap& map, const NumberMarks& marks) {
     DHPMAP_ASSIGN_OR_RETURN(const bool was_made, sender_.Settle(map));
     if (!was_made) map.doubt.reset();
   }
-  DHPMAP_ASSIGN_OR_RETURN(const MapHead before, pool_.Read<MapHead>([&](Connection& connection) -> Result<MapHead> {
-    Call select{&HeadByKey()};
-    select.values.Add(map.key);
-    DHPMAP_ASSIGN_OR_RETURN(Answer answer, connection.Query(select, "reserve numbers"));
-    MapHead head;
-    if (!answer.Next()) return NoSuchMap(name);
-    if (!ReadHead(answer, head)) return DamagedRows(name, "its row has a wrong checksum");
-    return head;
-  }));
+  // With its parts, by which it is checked: it gets a new checksum.
+  DHPMAP_ASSIGN_OR_RETURN(const NamedMap stored,
+                          pool_.Read<NamedMap>([&name](Connection& connection) -> Result<NamedMap> {
+                            DHPMAP_ASSIGN_OR_RETURN(const OneState one_state, OneState::Begin(connection));
+                            return ReadNamedMap(connection, name);
+                          }));
+  const MapHead& before = stored.head;
+  if (before.row.key != map.key) return NoSuchMap(name);
   if (before.owner_epoch != map.epoch) return NotOwner(name);
   MapHead after = before;
   ++after.commit_id;

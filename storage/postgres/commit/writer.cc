@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "mapping/map/same_state.h"
 #include "storage/commit_rules.h"
 #include "storage/postgres/owners/lost_answer.h"
 #include "storage/postgres/removal.h"
@@ -60,8 +61,8 @@ Status Writer::CommitOwned(OwnedMap& map, const CommitRequest& request) {
     return stale.ok() ? CommitFrom(map, request) : stale;
   }
   const bool is_from_before = request.before.revision() == doubt.revision_before;
-  if (is_from_before && request.edit == nullptr && request.after.revision() == doubt.after->revision()) {
-    return Status::Ok();  // frames: one state for each revision
+  if (is_from_before && request.edit == nullptr && IsSameState(request.after.info(), doubt.after->info())) {
+    return Status::Ok();
   }
   // The caller believes that the earlier state is stored: frames continue from the state that is stored.
   const bool is_later = is_from_before && request.edit == nullptr && request.after.revision() > doubt.after->revision();

@@ -20,13 +20,14 @@ const std::string kEndConnections =
     "SELECT pg_terminate_backend(pid, 1000) FROM pg_stat_activity WHERE application_name = $1 AND usename = "
     "current_user";
 
-MapHead HeadOfNewOwner(const MapHead& seen, std::int64_t server) {
+/// A damaged row stays as it is: with a new checksum it would pass for a whole one.
+MapHead HeadOfNewOwner(const MapHead& seen, std::int64_t server, bool is_damaged) {
   MapHead head = seen;
   ++head.commit_id;
   ++head.owner_epoch;
   head.owner = server;
   MapRow& row = head.row;
-  if (row.marks.revision > row.info.revision || row.marks.next_submap_id > row.info.next_submap_id) {
+  if (HasReservedNumbers(row) && !is_damaged) {
     RaiseMarks(row);
     row.info.revision = row.marks.revision + 1;
     row.info.next_submap_id = row.marks.next_submap_id;
@@ -42,7 +43,7 @@ std::string ApplicationName(std::int64_t server) { return "dhpmap-server-" + std
 
 Result<Taken> Take(Connection& connection, const Taking& taking) {
   const MapHead& seen = taking.seen;
-  const MapHead after = HeadOfNewOwner(seen, taking.server);
+  const MapHead after = HeadOfNewOwner(seen, taking.server, taking.is_damaged);
   std::vector<Call> calls = {{&BeginText()}, {&kWaitBriefly}, ReplaceHead(seen, after)};
   if (after.row.info.revision > seen.row.info.revision + 1) {
     Values& lost = calls.emplace_back(Call{&kNoteLost}).values;

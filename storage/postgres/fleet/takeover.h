@@ -19,6 +19,7 @@ struct Taking {
   MapHead seen;             ///< as it was read: its owner is nobody, dead, or the new one
   std::int64_t beat = -1;   ///< of that owner if it is dead: the beat that it died with
   std::int64_t server = 0;  ///< the new owner
+  bool is_damaged = false;  ///< the row has a wrong checksum: no numbers are left
 };
 
 enum class Taken { kYes, kChangedMeanwhile, kBlocked };

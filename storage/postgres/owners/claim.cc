@@ -6,6 +6,8 @@
 
 #include "storage/postgres/fleet/takeover.h"
 #include "storage/postgres/owners/map_ownership.h"
+#include "storage/postgres/reading/named_map.h"
+#include "storage/postgres/reading/one_state.h"
 #include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {
@@ -79,6 +81,7 @@ Result<MapOwnership::Claim> MapOwnership::ClaimInTurn(const std::string& name) {
       }
     }
     DHPMAP_RETURN_IF_ERROR(MayTake(name));
+    DHPMAP_ASSIGN_OR_RETURN(taking.is_damaged, IsDamaged(name, head));
     const Result<Taken> taken = [&]() -> Result<Taken> {
       DHPMAP_ASSIGN_OR_RETURN(Pool::Lease connection, pool_.Borrow(was_lost));
       Result<Taken> done = Take(*connection, taking);
@@ -107,6 +110,16 @@ Result<MapHead> MapOwnership::ReadMapHead(const std::string& name) {
     MapHead head;
     if (!ReadHead(answer, head)) return DamagedRows(name, "its row has a wrong checksum");
     return head;
+  });
+}
+
+Result<bool> MapOwnership::IsDamaged(const std::string& name, const MapHead& head) {
+  if (!HasReservedNumbers(head.row)) return false;
+  return pool_.Read<bool>([&name](Connection& connection) -> Result<bool> {
+    DHPMAP_ASSIGN_OR_RETURN(const OneState one_state, OneState::Begin(connection));
+    const Status read = ReadNamedMap(connection, name).status();
+    if (read.code() == StatusCode::kUnavailable) return read;
+    return read.code() == StatusCode::kDataLoss;
   });
 }
 

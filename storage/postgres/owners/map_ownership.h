@@ -75,6 +75,8 @@ class MapOwnership {
 
   Result<Claim> ClaimInTurn(const std::string& name) DHPMAP_EXCLUDES(mutex_);
   Result<MapHead> ReadMapHead(const std::string& name);
+  /// Whether a row that would get a new checksum has a wrong one.
+  Result<bool> IsDamaged(const std::string& name, const MapHead& head);
   [[nodiscard]] Status MayTake(const std::string& name) DHPMAP_EXCLUDES(mutex_);
   /// False once `end` has passed.
   bool AwaitBeat(Clock::time_point end) DHPMAP_EXCLUDES(mutex_);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/postgres/reading/one_state.h"
 
+#include "mapping/base/guarded.h"
+
 namespace dhpmap::postgres {
 namespace {
 
@@ -14,7 +16,8 @@ Result<OneState> OneState::Begin(Connection& connection) {
 }
 
 OneState::~OneState() {
-  if (connection_ != nullptr && !connection_->IsBroken()) (void)connection_->Execute("COMMIT", kOneStateTask);
+  if (connection_ == nullptr || connection_->IsBroken()) return;
+  TellSafely([this] { (void)connection_->Execute("COMMIT", kOneStateTask); });
 }
 
 }  // namespace dhpmap::postgres

@@ -132,7 +132,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
       {"mapping/free", {"free_space.h", "free_tile.h"}},
       {"mapping/map",
        {"edit_entry.h", "history_id.h", "kept_clear.h", "lost_revisions.h", "map.h", "map_config.h", "map_grid.h",
-        "merged_ids.h", "object_pairs.h", "region.h", "session_marks.h", "vacated_space.h"}},
+        "merged_ids.h", "object_pairs.h", "region.h", "same_state.h", "session_marks.h", "vacated_space.h"}},
       {"mapping/changes", {"map_change.h", "state_delta.h", "state_marks.h"}},
       {"mapping/images", {"jpeg.h", "png.h", "tiff.h"}},
       {"mapping/loaded", {"cloud_files.h"}},

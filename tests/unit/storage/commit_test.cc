@@ -95,25 +95,6 @@ TEST_F(SqliteStoreTest, ABoxEnclosesItsSphereInTheMapFrame) {
   }
 }
 
-TEST_F(SqliteStoreTest, AFailedWriteLeavesTheOldStateAndAWorkingStore) {
-  Open();
-  const auto map = CreateSample("house");
-  const auto before = map->published();
-  // Fails at the last of many rows.
-  Tamper(
-      "CREATE TRIGGER stop BEFORE UPDATE OF blob_bytes ON submaps WHEN NEW.blob_bytes > 4000 BEGIN SELECT RAISE(ABORT, "
-      "'no'); END");
-  generator_.AddBlocks(*map->FindMutable(SubmapId(1)), 10);
-  generator_.AddSubmap(*map, 20);
-  map->Remove(SubmapId(3));
-  const auto after = map->Publish(20);
-  EXPECT_FALSE(store_->Commit(*before, *after, Durability::kNormal).ok());
-  ExpectStored(*before);
-  Tamper("DROP TRIGGER stop");
-  ASSERT_TRUE(store_->Commit(*before, *after, Durability::kNormal).ok());
-  ExpectStored(*after);
-}
-
 TEST_F(SqliteStoreTest, TheWriterDoesNotKeepThePagesOfALargeMap) {
   Open();
   auto map = std::make_unique<Map>(generator_.Info("house"));

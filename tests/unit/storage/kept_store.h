@@ -23,6 +23,7 @@ enum class StoreKind { kMemory, kSqlite, kPaged, kPostgres, kPagedPostgres };
 /// Those that the suite of what every MapStore promises runs on, and all that keep their maps when they are closed.
 inline std::vector<StoreKind> AllStores() { return {StoreKind::kMemory, StoreKind::kSqlite, StoreKind::kPostgres}; }
 inline std::vector<StoreKind> StoresThatKeep() { return {StoreKind::kSqlite, StoreKind::kPostgres}; }
+inline std::vector<StoreKind> StoresThatPage() { return {StoreKind::kPaged, StoreKind::kPagedPostgres}; }
 
 inline std::string NameOfKind(const ::testing::TestParamInfo<StoreKind>& kind) {
   switch (kind.param) {
@@ -73,9 +74,9 @@ class KeptStore {
   /// Of SQLite.
   [[nodiscard]] std::string Path() const { return (folder_.path() / "maps.db").string(); }
   [[nodiscard]] StoreKind kind() const { return kind_; }
+  [[nodiscard]] bool IsPostgres() const { return kind_ == StoreKind::kPostgres || kind_ == StoreKind::kPagedPostgres; }
 
  private:
-  [[nodiscard]] bool IsPostgres() const { return kind_ == StoreKind::kPostgres || kind_ == StoreKind::kPagedPostgres; }
   [[nodiscard]] Result<std::unique_ptr<MapStore>> OpenPostgres(const KeptStoreOptions& options) const {
     return OpenPostgresStore(PostgresCluster::Get()->Url(), {.schema = schema_,
                                                              .changes = options.changes,

@@ -47,17 +47,15 @@ inline std::string ForPostgres(const std::string& sql) {
 
 /// Runs SQL of our own, as no store would.
 inline void TamperWith(const KeptStore& kept, const std::string& sql) {
-  const bool is_postgres = kept.kind() == StoreKind::kPostgres;
   const Status done =
-      is_postgres ? TamperWithSchema(kept.schema(), ForPostgres(sql)) : TamperWithFile(kept.Path(), sql);
+      kept.IsPostgres() ? TamperWithSchema(kept.schema(), ForPostgres(sql)) : TamperWithFile(kept.Path(), sql);
   ASSERT_TRUE(done.ok()) << done.ToString() << " " << sql;
 }
 
 /// The first column of the first row; -1 if it cannot be had.
 inline std::int64_t QueryOf(const KeptStore& kept, const std::string& sql) {
-  const bool is_postgres = kept.kind() == StoreKind::kPostgres;
-  const auto found = is_postgres ? QuerySchema(kept.schema(), "SELECT (" + ForPostgres(sql) + ")::bigint")
-                                 : QueryFile(kept.Path(), sql);
+  const auto found = kept.IsPostgres() ? QuerySchema(kept.schema(), "SELECT (" + ForPostgres(sql) + ")::bigint")
+                                       : QueryFile(kept.Path(), sql);
   EXPECT_TRUE(found.ok()) << found.status().ToString() << " " << sql;
   return found.ok() ? *found : -1;
 }

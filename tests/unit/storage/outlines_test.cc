@@ -10,7 +10,7 @@
 #include "mapping/submap/submap_outline.h"
 #include "storage/rows/value.h"
 #include "tests/unit/mapping/query/surface_scene.h"
-#include "tests/unit/storage/sqlite_fixture.h"
+#include "tests/unit/storage/any_store_fixture.h"
 
 namespace dhpmap {
 namespace {
@@ -23,7 +23,7 @@ std::shared_ptr<const LevelOutline> KeptOf(const Submap& submap) {
   return submap.kept_outline().Find(submap.info().T_map_submap);
 }
 
-class OutlinesTest : public testing::SqliteStoreTest {
+class OutlinesTest : public testing::AnyStoreTest {
  protected:
   OutlinesTest() : map_(testing::SceneInfo()) {
     Submap& thing = testing::AddThing(map_);
@@ -31,17 +31,13 @@ class OutlinesTest : public testing::SqliteStoreTest {
     thing.mutable_info().activity = Activity::kInactive;
     id_ = thing.id();
   }
-  void Create() {
-    Open();
-    ASSERT_TRUE(store_->CreateMap(*map_.Publish(1)).ok());
-  }
+  void Create() { ASSERT_TRUE(store_->CreateMap(*map_.Publish(1)).ok()); }
   void Commit() {
     const auto before = map_.published();
     ASSERT_TRUE(store_->Commit(*before, *map_.Publish(2), Durability::kNormal).ok());
   }
   /// As another process has it, with all voxels on the disk.
   std::shared_ptr<const MapSnapshot> Reopened() {
-    pages_tiles_ = true;
     Open();
     return store_->LoadMap(testing::SceneInfo().name).value();
   }
@@ -51,8 +47,9 @@ class OutlinesTest : public testing::SqliteStoreTest {
   Map map_;
   SubmapId id_;
 };
+INSTANTIATE_TEST_SUITE_P(Stores, OutlinesTest, ::testing::ValuesIn(testing::StoresThatPage()), testing::NameOfKind);
 
-TEST_F(OutlinesTest, OfASettledThingAreToldWithoutALookAtItsVoxels) {
+TEST_P(OutlinesTest, OfASettledThingAreToldWithoutALookAtItsVoxels) {
   Create();
   const auto expected = FindOutline(*map_.Find(id_), Eigen::Matrix3d::Identity());
   const auto state = Reopened();
@@ -70,7 +67,7 @@ TEST_F(OutlinesTest, OfASettledThingAreToldWithoutALookAtItsVoxels) {
   EXPECT_EQ(anew->footprint_m, kept->outline->footprint_m) << "as whoever reads the voxels finds it";
 }
 
-TEST_F(OutlinesTest, OfWhatIsStillBeingMappedAreStoredOnceItIsSettled) {
+TEST_P(OutlinesTest, OfWhatIsStillBeingMappedAreStoredOnceItIsSettled) {
   Create();
   Observe(*map_.FindMutable(id_), {0.1, 0.7, 0.3});
   map_.FindMutable(id_)->mutable_info().activity = Activity::kActive;
@@ -84,7 +81,7 @@ TEST_F(OutlinesTest, OfWhatIsStillBeingMappedAreStoredOnceItIsSettled) {
   EXPECT_EQ(kept->outline->footprint_m, expected->footprint_m);
 }
 
-TEST_F(OutlinesTest, StayWhereTheRowAloneIsWritten) {
+TEST_P(OutlinesTest, StayWhereTheRowAloneIsWritten) {
   Create();
   const std::int64_t size = StoredSize();
   EXPECT_GT(size, 0);
@@ -95,7 +92,7 @@ TEST_F(OutlinesTest, StayWhereTheRowAloneIsWritten) {
   EXPECT_EQ(StoredSize(), size);
 }
 
-TEST_F(OutlinesTest, ThatDoNotMatchTheRowsChecksumAreDamage) {
+TEST_P(OutlinesTest, ThatDoNotMatchTheRowsChecksumAreDamage) {
   Create();
   Tamper("UPDATE submaps SET outline = x'' WHERE submap_id = 1");
   Open();

@@ -168,6 +168,28 @@ TEST_F(CommitInDoubt, IsGoneOnFromByALaterState) {
   ExpectStored(*store_, *map_->published());
 }
 
+TEST_F(CommitInDoubt, IsNotTakenForAnotherStateOfItsRevision) {
+  EXPECT_EQ(Commit(*store_, *map_, 20).code(), StatusCode::kUnavailable);
+  const auto made = map_->published();
+  between_->ComeBack();
+  Map other(before_);  // as it was loaded before the commit was to be seen
+  other.mutable_info().display_name = "other";
+  EXPECT_EQ(Commit(*store_, other, 30).reason(), Reason("STALE_REVISION"));
+  ASSERT_EQ(other.published()->revision(), made->revision());
+  ExpectStored(*store_, *made);
+}
+
+TEST_F(PostgresStoreTest, AConnectionWhoseReaderThrewIsNotUsedAgain) {
+  auto connection = postgres::Connection::Open({.url = PostgresCluster::Get()->Url()});
+  ASSERT_TRUE(connection.ok()) << connection.status().ToString();
+  const std::string sql = "SELECT generate_series(1, 3)";
+  const auto read = [&] {
+    return connection->Stream({&sql}, "count", [](postgres::Answer&) -> Status { throw std::bad_alloc(); });
+  };
+  EXPECT_THROW((void)read(), std::bad_alloc);
+  EXPECT_TRUE(connection->IsBroken()) << "the next statement would get the rest of the answer";
+}
+
 TEST_F(CommitInDoubt, OfAnEditThatItsMapHasDroppedEndsTheMapsCommits) {
   map_->mutable_info().display_name = "edited";
   const auto after = map_->Publish(20);

@@ -6,33 +6,21 @@
 #include <limits>
 
 #include "server/app/watch/watch_position.h"
+#include "tests/support/wrapped_store.h"
 
 namespace dhpmap {
 namespace {
 
 /// A memory store that counts how often its changes are read.
-class CountingStore final : public MapStore {
+class CountingStore final : public testing::WrappedStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return store_->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return store_->CreateMap(snapshot); }
-  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
-    return store_->Commit(before, after, durability);
-  }
+  CountingStore() : WrappedStore(MakeMemoryStore({.max_changes = 50})) {}
   Result<ChangeList> ListChanges(const std::string& name, std::int64_t after, std::size_t max_bytes) override {
     ++num_reads;
-    return store_->ListChanges(name, after, max_bytes);
+    return inner().ListChanges(name, after, max_bytes);
   }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return store_->LoadMap(name); }
-  Status DeleteMap(const std::string& name) override { return store_->DeleteMap(name); }
-  Status Reserve(const std::string& name, const NumberMarks& marks) override { return store_->Reserve(name, marks); }
 
   int num_reads = 0;
-
- private:
-  std::unique_ptr<MapStore> store_ = MakeMemoryStore({.max_changes = 50});
 };
 
 class ChangeFeedTest : public ::testing::Test {

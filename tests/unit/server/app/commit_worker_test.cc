@@ -15,32 +15,29 @@
 
 #include "mapping/map/map.h"
 #include "tests/support/eventually.h"
+#include "tests/support/wrapped_store.h"
 
 namespace dhpmap {
 namespace {
 
 /// A store in which a test holds up commits and reads what was asked.
-class ScriptedStore final : public MapStore {
+class ScriptedStore final : public testing::WrappedStore {
  public:
   struct Call {
     std::int64_t before, after;
     Durability durability;
   };
 
-  Result<std::vector<StoredMap>> ListMaps(const std::string&, std::size_t) override { return std::vector<StoredMap>{}; }
   Result<StoredMap> GetMap(const std::string&) override {
     if (!stored) return NotFound("not here");
     return *stored;
   }
-  Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return NotFound("not here"); }
   Status DeleteMap(const std::string&) override {
     if (is_lost_in_answering) stored = std::nullopt;
     Throw();
     stored = std::nullopt;
     return Status::Ok();
   }
-  Status Reserve(const std::string&, const NumberMarks&) override { return Status::Ok(); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     const std::lock_guard lock(mutex);  // held by the test: the disk is slow
     calls.push_back({before.revision(), after.revision(), durability});
@@ -255,6 +252,28 @@ TEST_F(CommitWorkerTest, ACommitThatThrowsWhenAllIsWrittenIsDone) {
   EXPECT_TRUE(worker->last_outcome().ok());
   EXPECT_TRUE(Request(Change(), Durability::kNormal).get().ok());
   EXPECT_EQ(store.calls.back().before, 2) << "where the store is";
+}
+
+TEST_F(CommitWorkerTest, ACommitThatThrowsIsNotTakenForAnotherOneOfItsRevision) {
+  const auto refused = Change();
+  map.emplace(first);
+  map->mutable_info().display_name = "edited";
+  const auto edited = map->Publish(1);
+  ASSERT_EQ(edited->revision(), refused->revision());
+  store.stored = StoredMap{.info = refused->info()};  // written, though its caller was told of an error
+  store.ThrowNext(std::bad_alloc());
+  EXPECT_EQ(worker->CommitUnseen(edited).reason(), Reason("OUT_OF_MEMORY")) << "the store has never seen it";
+  EXPECT_EQ(worker->committed_revision(), 1);
+}
+
+TEST_F(CommitWorkerTest, ACommitThatThrowsWithoutANewRevisionIsMadeOnceMore) {
+  store.is_lost_in_answering = true;
+  store.ThrowNext(std::bad_alloc());
+  EXPECT_EQ(Request(first, Durability::kNormal).get().reason(), Reason("OUT_OF_MEMORY"));
+  EXPECT_TRUE(Request(first, Durability::kNormal).get().ok());
+  ASSERT_EQ(store.calls.size(), 2u);
+  EXPECT_EQ(store.calls.back().before, 1);
+  EXPECT_EQ(store.calls.back().after, 1);
 }
 
 TEST_F(CommitWorkerTest, ADeletionThatThrowsChangesNothing) {

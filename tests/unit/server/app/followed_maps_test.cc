@@ -12,6 +12,7 @@
 
 #include "tests/support/eventually.h"
 #include "tests/support/lone_fleet.h"
+#include "tests/support/wrapped_store.h"
 
 namespace dhpmap {
 namespace {
@@ -42,35 +43,21 @@ class ToldFleet final : public testing::LoneFleet {
 };
 
 /// A memory store that is away for a while, and counts reads.
-class AwayStore final : public MapStore {
+class AwayStore final : public testing::WrappedStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return store_->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return store_->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return store_->CreateMap(snapshot); }
-  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
-    return store_->Commit(before, after, durability);
-  }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return store_->LoadMap(name); }
   Result<StateToRead> LoadToRead(const std::string& name) override {
     ++num_loads;
     if (is_away) return Unavailable("it is away");
-    return MapStore::LoadToRead(name);
+    return inner().LoadToRead(name);
   }
   Result<StateToRead> ReadSince(const StateToRead& before) override {
     ++num_looks;
     if (is_away) return Unavailable("it is away");
-    return MapStore::LoadToRead(before.snapshot->info().name);
+    return inner().ReadSince(before);
   }
-  Status DeleteMap(const std::string& name) override { return store_->DeleteMap(name); }
-  Status Reserve(const std::string& name, const NumberMarks& marks) override { return store_->Reserve(name, marks); }
 
   std::atomic<int> num_loads = 0, num_looks = 0;
   std::atomic<bool> is_away = false;
-
- private:
-  std::unique_ptr<MapStore> store_ = MakeMemoryStore();
 };
 
 class FollowedMapsTest : public ::testing::Test {

@@ -17,6 +17,7 @@
 #include "tests/support/assert_ok.h"
 #include "tests/support/eventually.h"
 #include "tests/support/lone_fleet.h"
+#include "tests/support/wrapped_store.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
@@ -49,33 +50,27 @@ class NotedFleet final : public testing::LoneFleet {
 };
 
 /// A store in memory that several processes seem to share.
-class SharedStore final : public MapStore {
+class SharedStore final : public testing::WrappedStore {
  public:
   [[nodiscard]] Fleet* fleet() override { return &noted; }
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return inner_->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     if (!refusal.ok()) return refusal;
-    return inner_->Commit(before, after, durability);
+    return inner().Commit(before, after, durability);
+  }
+  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
+    return refusal.ok() ? inner().CommitEdit(before, after, edit) : refusal;
   }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
     ++num_loads;
-    return inner_->LoadMap(name);
+    return inner().LoadMap(name);
   }
-  Status DeleteMap(const std::string& name) override { return inner_->DeleteMap(name); }
   Status Reserve(const std::string& name, const NumberMarks& marks) override {
-    return refusal.ok() ? inner_->Reserve(name, marks) : refusal;
+    return refusal.ok() ? inner().Reserve(name, marks) : refusal;
   }
 
   NotedFleet noted;
   Status refusal;  ///< of what is written
   std::atomic<int> num_loads = 0;
-
- private:
-  std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
 };
 
 class HandingOverTest : public ::testing::Test {

@@ -11,36 +11,25 @@
 #include "tests/support/assert_ok.h"
 #include "tests/support/eventually.h"
 #include "tests/support/lone_fleet.h"
+#include "tests/support/wrapped_store.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
 namespace {
 
 /// Makes an edit, and loses the answer, when it is told to.
-class SilentStore final : public MapStore {
+class SilentStore final : public testing::WrappedStore {
  public:
   [[nodiscard]] Fleet* fleet() override { return &fleet_; }
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return inner_->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
-  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
-    return inner_->Commit(before, after, durability);
-  }
   Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
-    const Status made = inner_->CommitEdit(before, after, edit);
+    const Status made = inner().CommitEdit(before, after, edit);
     return made.ok() && is_silent.exchange(false) ? Unavailable("no answer") : made;
   }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return inner_->LoadMap(name); }
-  Status DeleteMap(const std::string& name) override { return inner_->DeleteMap(name); }
-  Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner_->Reserve(name, marks); }
 
   std::atomic<bool> is_silent = false;
 
  private:
   testing::LoneFleet fleet_;
-  const std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
 };
 
 /// Adds a thing.

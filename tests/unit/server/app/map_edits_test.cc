@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "server/app/states/etag.h"
+#include "tests/support/wrapped_store.h"
 
 namespace dhpmap {
 namespace {
@@ -39,7 +40,7 @@ TEST(PatchMap, RefusesAnEtagThatIsNotThePresentOneAndATitleTooLong) {
 }
 
 /// A log, and how often it is read.
-class RenameLogStore final : public MapStore {
+class RenameLogStore final : public testing::WrappedStore {
  public:
   void Add(EditSummary summary) {
     EditEntry entry;
@@ -57,14 +58,6 @@ class RenameLogStore final : public MapStore {
     return edits;
   }
   [[nodiscard]] std::int64_t last() const { return last_; }
-
-  Result<std::vector<StoredMap>> ListMaps(const std::string&, std::size_t) override { return Internal("not here"); }
-  Result<StoredMap> GetMap(const std::string&) override { return Internal("not here"); }
-  Status CreateMap(const MapSnapshot&) override { return Internal("not here"); }
-  Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Internal("not here"); }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return Internal("not here"); }
-  Status DeleteMap(const std::string&) override { return Internal("not here"); }
-  Status Reserve(const std::string&, const NumberMarks&) override { return Internal("not here"); }
 
   int num_reads = 0;
 

@@ -14,6 +14,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/scenes.h"
 #include "tests/support/thread_ids.h"
+#include "tests/support/wrapped_store.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
@@ -27,23 +28,20 @@ MapInfo InfoOf(const std::string& name) {
 }
 
 /// A store in memory that counts loads, refuses what it is told to, and can be made to take its time over one map.
-class MoodyStore final : public MapStore {
+class MoodyStore final : public testing::WrappedStore {
  public:
   Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
     ++num_lists;
-    return inner_->ListMaps(after, max);
+    return inner().ListMaps(after, max);
   }
   Result<StoredMap> GetMap(const std::string& name) override {
     ++num_asked;
-    auto map = inner_->GetMap(name);
+    auto map = inner().GetMap(name);
     if (map.ok()) map->lost_revisions = lost_revisions[name];
     return map;
   }
   Status CreateMap(const MapSnapshot& snapshot) override {
-    return refusal.ok() ? inner_->CreateMap(snapshot) : refusal;
-  }
-  Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
-    return inner_->Commit(before, after, durability);
+    return refusal.ok() ? inner().CreateMap(snapshot) : refusal;
   }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override {
     if (!refusal.ok()) return refusal;
@@ -51,15 +49,14 @@ class MoodyStore final : public MapStore {
       is_loading_slow.set_value();
       may_go_on.get_future().wait();
     }
-    auto map = inner_->LoadMap(name);
+    auto map = inner().LoadMap(name);
     num_loads += map.ok() ? 1 : 0;
     return map;
   }
-  Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner_->Reserve(name, marks); }
   Status DeleteMap(const std::string& name) override {
     if (!refusal.ok()) return refusal;
     lost_revisions.erase(name);
-    return inner_->DeleteMap(name);
+    return inner().DeleteMap(name);
   }
 
   Status refusal;
@@ -67,9 +64,6 @@ class MoodyStore final : public MapStore {
   std::atomic<int> num_loads = 0, num_asked = 0, num_lists = 0;
   std::promise<void> is_loading_slow, may_go_on;
   std::atomic<bool> has_been_slow = false;
-
- private:
-  const std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
 };
 
 class MapRegistryTest : public ::testing::Test {

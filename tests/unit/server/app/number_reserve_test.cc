@@ -6,18 +6,14 @@
 #include <future>
 #include <vector>
 
+#include "tests/support/wrapped_store.h"
+
 namespace dhpmap {
 namespace {
 
 /// Keeps the marks that it is asked to, and can be made slow or full.
-class MarkStore final : public MapStore {
+class MarkStore final : public testing::WrappedStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps(const std::string&, std::size_t) override { return std::vector<StoredMap>{}; }
-  Result<StoredMap> GetMap(const std::string&) override { return NotFound("not here"); }
-  Status CreateMap(const MapSnapshot&) override { return Status::Ok(); }
-  Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Status::Ok(); }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return NotFound("not here"); }
-  Status DeleteMap(const std::string&) override { return Status::Ok(); }
   Status Reserve(const std::string& name, const NumberMarks& marks) override {
     EXPECT_EQ(name, "room");
     if (begun) begun->set_value();

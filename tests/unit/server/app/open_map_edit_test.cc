@@ -16,6 +16,7 @@
 #include "storage/sqlite_store.h"
 #include "tests/integration/failing_store.h"
 #include "tests/support/eventually.h"
+#include "tests/support/wrapped_store.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
@@ -211,32 +212,17 @@ TEST_F(OpenMapTest, WhatTheMovesOfAListHaveLeftIsStoredAndUndone) {
 
 /// A memory store of which the commit of what an edit has left waits until it may go. No other one of the same state
 /// does: one may come twice, as a frame's commit is in the store before the session knows.
-class WaitingStore final : public MapStore {
+class WaitingStore final : public testing::WrappedStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return inner_->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     if (before.revision() == after.revision() && before.lacks_left()) may_go_.wait();
-    return inner_->Commit(before, after, durability);
+    return inner().Commit(before, after, durability);
   }
-  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
-    return inner_->CommitEdit(before, after, edit);
-  }
-  Result<std::optional<StoredAnswer>> FindAnswer(const std::string& name, const std::string& request_id) override {
-    return inner_->FindAnswer(name, request_id);
-  }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return inner_->LoadMap(name); }
-  Status DeleteMap(const std::string& name) override { return inner_->DeleteMap(name); }
-  Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner_->Reserve(name, marks); }
 
   std::promise<void> go;
 
  private:
   std::shared_future<void> may_go_ = go.get_future().share();
-  std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
 };
 
 TEST_F(OpenMapTest, AMoveThatIsAskedForAgainTakesNoFrameItsTime) {

@@ -15,6 +15,7 @@
 #include "tests/integration/busy_writer.h"
 #include "tests/integration/failing_store.h"
 #include "tests/support/eventually.h"
+#include "tests/support/wrapped_store.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
@@ -393,22 +394,17 @@ TEST_F(OpenMapTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
 }
 
 /// A store that remembers how the last commit was made.
-class SyncStore final : public MapStore {
+class SyncStore final : public testing::WrappedStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return inner->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return inner->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return inner->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     last = durability;
-    return inner->Commit(before, after, durability);
+    return inner().Commit(before, after, durability);
   }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return inner->LoadMap(name); }
-  Status DeleteMap(const std::string& name) override { return inner->DeleteMap(name); }
-  Status Reserve(const std::string& name, const NumberMarks& marks) override { return inner->Reserve(name, marks); }
+  Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
+    last = Durability::kFull;
+    return inner().CommitEdit(before, after, edit);
+  }
 
-  std::unique_ptr<MapStore> inner = MakeMemoryStore();
   std::atomic<Durability> last = Durability::kNormal;
 };
 

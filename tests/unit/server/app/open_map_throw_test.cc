@@ -10,6 +10,7 @@
 
 #include "server/app/edits/submap_edits.h"
 #include "tests/support/eventually.h"
+#include "tests/support/wrapped_store.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
 namespace dhpmap {
@@ -32,39 +33,30 @@ class Shortage {
 constexpr int kForEver = 1 << 30;
 
 /// A memory store that runs short of memory.
-class ShortStore final : public MapStore {
+class ShortStore final : public testing::WrappedStore {
  public:
-  Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    return inner_->ListMaps(after, max);
-  }
-  Result<StoredMap> GetMap(const std::string& name) override { return inner_->GetMap(name); }
-  Status CreateMap(const MapSnapshot& snapshot) override { return inner_->CreateMap(snapshot); }
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
     in_commit.Meet();
-    return inner_->Commit(before, after, durability);
+    return inner().Commit(before, after, durability);
   }
   Status CommitEdit(const StateMarks& before, const MapSnapshot& after, const EditRecord& edit) override {
     in_commit.Meet();
-    return inner_->CommitEdit(before, after, edit);
+    return inner().CommitEdit(before, after, edit);
   }
   Result<std::optional<StoredAnswer>> FindAnswer(const std::string& name, const std::string& request_id) override {
     in_find_answer.Meet();
-    return inner_->FindAnswer(name, request_id);
+    return inner().FindAnswer(name, request_id);
   }
-  Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string& name) override { return inner_->LoadMap(name); }
   Status DeleteMap(const std::string& name) override {
     in_delete.Meet();
-    return inner_->DeleteMap(name);
+    return inner().DeleteMap(name);
   }
   Status Reserve(const std::string& name, const NumberMarks& marks) override {
     in_reserve.Meet();
-    return inner_->Reserve(name, marks);
+    return inner().Reserve(name, marks);
   }
 
   Shortage in_commit, in_find_answer, in_delete, in_reserve;
-
- private:
-  std::unique_ptr<MapStore> inner_ = MakeMemoryStore();
 };
 
 /// Nothing happens by itself but where a test says so.
