@@ -92,7 +92,7 @@ Status Serve(const ServerConfig& config, const Service& service) {
       const auto registry,
       MapRegistry::Open(*store, OpenMapOptionsOf(config, metrics, records.get(), spill), RegistryOptionsOf(config)));
   const auto inflight = InflightBudgetOf(config);
-  DHPMAP_ASSIGN_OR_RETURN(const auto gate, GateOf(config));
+  DHPMAP_ASSIGN_OR_RETURN(const auto gate, GateOf(config, store->fleet() != nullptr ? store->fleet()->Me().id : 0));
   DHPMAP_ASSIGN_OR_RETURN(const auto tls, TlsOf(config));
   const auto tls_watch = WatchTlsFiles(tls);
   GrpcOptions grpc_options = GrpcOptionsOf(config, inflight, gate, tls);
@@ -110,6 +110,7 @@ Status Serve(const ServerConfig& config, const Service& service) {
                [&] {
                  Metrics::Gauges gauges = GaugesOf(*registry, *inflight, *grpc, records.get(), spill.get());
                  gauges.is_insecure = IsInsecure(config);
+                 gauges.num_audit_dropped = gate->num_audit_dropped();
                  return metrics.Text(gauges);
                },
            .gate = gate}));
@@ -159,6 +160,7 @@ int Main(const std::vector<std::string>& arguments, const std::vector<std::strin
     LogError(status.ToString());
     manager.TellStopping(status.ToString());
   }
+  if (status.reason() == Reason("BAD_CONFIG")) return 2;  // as one that is known to be so before the database is asked
   return status.ok() ? 0 : 1;
 }
 

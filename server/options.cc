@@ -45,26 +45,6 @@ SqliteStoreOptions SqliteOptionsOf(const ServerConfig& config, StoreProgress on_
           .pages_tiles = config.store.memory_budget_mib > 0};
 }
 
-/// Null where there is none.
-Result<std::shared_ptr<const auth::FleetKey>> FleetKeyOf(const ServerConfig& config) {
-  if (config.fleet.key_file.empty()) return std::shared_ptr<const auth::FleetKey>();
-  return auth::FleetKey::Read(config.fleet.key_file);
-}
-
-Result<std::shared_ptr<auth::Gate>> GateWithKeys(const ServerConfig& config, const std::string& file) {
-  return auth::Gate::WithKeys(
-      {.key_file = file,
-       .audit_file = config.auth.audit,
-       .is_audit_required = config.auth.audit_required,
-       .owners_file = (DatabaseFileOf(config).empty() ? file : config.db) + ".owners",
-       .limits = {.maps = config.limits.principal_maps,
-                  .disk_bytes = static_cast<std::int64_t>(config.limits.principal_disk_mib) << 20,
-                  .inflight_fraction = config.limits.principal_inflight_percent / 100.0},
-       .on_fault = [](const Status& fault) {
-         LogError("keys or their log: it goes on with what it has: " + fault.ToString());
-       }});
-}
-
 }  // namespace
 
 LogOptions LogOptionsOf(const ServerConfig& config) {
@@ -164,24 +144,6 @@ std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config) {
   // sent yet. With eight clients that ask for much it was 40 to 57 of 256 MiB.
   const std::size_t all = static_cast<std::size_t>(config.limits.inflight_mib) << 20;
   return std::make_shared<ByteBudget>(all - all / 4, kSmallBytes);
-}
-
-Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config) {
-  if (IsInsecure(config)) {
-    LogWarning(
-        "started to let strangers in where nothing keeps them out: insecure, insecure_no_tls or insecure_no_auth");
-  }
-  DHPMAP_ASSIGN_OR_RETURN(auto fleet_key, FleetKeyOf(config));
-  const std::string file = KeyFileOf(config);
-  LogInfo(file.empty() ? "without keys: whoever reaches a door may do everything" : "with the keys of " + file);
-  std::shared_ptr<auth::Gate> gate;
-  if (file.empty()) {
-    gate = auth::Gate::Open();
-  } else {
-    DHPMAP_ASSIGN_OR_RETURN(gate, GateWithKeys(config, file));
-  }
-  gate->TakeFleetKey(std::move(fleet_key));
-  return gate;
 }
 
 Result<std::shared_ptr<net::TlsContext>> TlsOf(const ServerConfig& config) {

@@ -35,8 +35,10 @@ RegistryOptions RegistryOptionsOf(const ServerConfig& config);
 Result<std::shared_ptr<TileSpill>> SpillOf(const ServerConfig& config);
 /// For both doors together.
 std::shared_ptr<ByteBudget> InflightBudgetOf(const ServerConfig& config);
-/// Who may call: whoever has a key of the file that is in force, or anybody. Errors as of Gate::WithKeys.
-Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config);
+/// Admits callers with a key of the file, or of the database, that is in force; without keys everybody. `server`: its
+/// FleetServer::id, or 0. Errors as of Gate::WithKeys and OpenAuthTables; INVALID_ARGUMENT, reason BAD_CONFIG, if there
+/// are keys in both, or if other machines reach a server without keys.
+Result<std::shared_ptr<auth::Gate>> GateOf(const ServerConfig& config, std::int64_t server);
 /// Of both doors; null where there is none.
 Result<std::shared_ptr<net::TlsContext>> TlsOf(const ServerConfig& config);
 GrpcOptions GrpcOptionsOf(const ServerConfig& config, std::shared_ptr<ByteBudget> inflight,

@@ -52,7 +52,9 @@ void CheckTls(const ServerConfig& config, StartCheck& check) {
 void CheckKeys(const ServerConfig& config, StartCheck& check) {
   const std::string file = KeyFileOf(config);
   if (file.empty()) {
-    check.notes.emplace_back("without keys: whoever reaches a door may do everything");
+    check.notes.emplace_back(DatabaseFileOf(config).empty()
+                                 ? "with the keys of the database if it has any, which was not asked"
+                                 : "without keys: whoever reaches a door may do everything");
     return;
   }
   const auto content = auth::ReadKeyFile(file);

@@ -20,5 +20,5 @@ dhpmap_program(NAME dhpmap_space_bench SOURCES unit/storage/space_bench.cc LIBS 
 set_target_properties(dhpmap_space_bench PROPERTIES EXCLUDE_FROM_ALL ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
 
 # Commits and reads of the store on PostgreSQL against SQLite's; not a test.
-dhpmap_program(NAME dhpmap_postgres_bench SOURCES unit/storage/postgres_bench.cc LIBS dhpmap_storage dhpmap_test_scenes)
+dhpmap_program(NAME dhpmap_postgres_bench SOURCES unit/storage/blob_reads.cc unit/storage/postgres_bench.cc LIBS dhpmap_storage dhpmap_test_scenes)
 set_target_properties(dhpmap_postgres_bench PROPERTIES EXCLUDE_FROM_ALL ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)

@@ -84,6 +84,7 @@ void AddWatchCommand(CLI::App& app, Session& session);
 void AddSessionsCommands(CLI::App& app, Session& session);
 /// `keys` and `whoami`.
 void AddKeysCommands(CLI::App& app, Session& session);
+void AddAuditCommand(CLI::App& app, Session& session);
 void AddFleetCommands(CLI::App& app, Session& session);
 void AddDoctorCommand(CLI::App& app, Session& session);
 void AddUiCommand(CLI::App& app, Session& session);

@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
   dhpmap::AddUiCommand(app, session);
   dhpmap::AddReplayCommand(app, session);
   dhpmap::AddKeysCommands(app, session);
+  dhpmap::AddAuditCommand(app, session);
   dhpmap::AddCompletionCommand(app, session);
   try {
     app.parse(Arguments(argc, argv));

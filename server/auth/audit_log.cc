@@ -12,8 +12,6 @@
 namespace dhpmap::auth {
 namespace {
 
-constexpr std::size_t kMostText = 128;  // of text from an unauthenticated client
-
 /// Text from a client may be invalid UTF-8: invalid bytes are replaced.
 std::string LineOf(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -48,25 +46,17 @@ Status AuditLog::Reopen() {
 Status AuditLog::Write(const AuditEntry& entry) {
   const std::int64_t now_s = now_s_();
   const MutexLock lock(mutex_);
-  if (now_s != second_) {
-    second_ = now_s;
-    num_refusals_[0] = num_refusals_[1] = 0;
-  }
-  int& num_refusals = num_refusals_[entry.principal != nullptr ? 1 : 0];
-  if (!entry.decision.ok() && ++num_refusals > kMostRefusals) {
-    ++num_left_out_;
-    return Status::Ok();
-  }
+  if (!refusals_.Admit(entry, now_s)) return Status::Ok();
   nlohmann::ordered_json json;
   json["time"] = UtcText(now_s);
   if (entry.principal != nullptr) {
     json["principal"] = entry.principal->name;
     json["key"] = entry.principal->key_id;
   }
-  json["rpc"] = entry.rpc.substr(0, kMostText);
-  if (!entry.map.empty()) json["map"] = entry.map.substr(0, kMostText);
-  json["decision"] = entry.decision.ok() ? "allowed" : std::string(entry.decision.reason().name());
-  if (num_left_out_ > 0) json["refusals_left_out"] = std::exchange(num_left_out_, 0);
+  json["rpc"] = entry.rpc.substr(0, AuditEntry::kMostTextBytes);
+  if (!entry.map.empty()) json["map"] = entry.map.substr(0, AuditEntry::kMostTextBytes);
+  json["decision"] = entry.Verdict();
+  if (const std::int64_t num = refusals_.TakeLeftOut(); num > 0) json["refusals_left_out"] = num;
   std::string line = LineOf(json);
   if (ends_within_a_line_) line.insert(line.begin(), '\n');
   const ssize_t put = write(file_, line.data(), line.size());

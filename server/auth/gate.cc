@@ -5,6 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "server/auth/map_owners_file.h"
+
 namespace dhpmap::auth {
 namespace {
 
@@ -27,6 +29,15 @@ PrincipalPtr Local() {
       Principal{.name = "local", .role = Role::kAdmin, .maps = NamePatterns::All(), .sessions = NamePatterns::All()});
 }
 
+std::shared_ptr<KeySource> SourceOf(const GateOptions& options) {
+  return options.keys != nullptr ? options.keys : std::make_shared<KeyFileSource>(options.key_file);
+}
+
+Status KeysAreTooOld() {
+  return Unavailable("the keys could not be read for too long: whether yours is still good is not known")
+      .WithReason("DATABASE_UNREACHABLE");
+}
+
 }  // namespace
 
 Gate::Gate(GateOptions options, bool has_keys)
@@ -39,17 +50,21 @@ Gate::Gate(GateOptions options, bool has_keys)
       tickets_(options_.randomness),
       logins_(options_.randomness),
       budgets_(options_.limits.inflight_fraction),
-      streams_(options_.limits) {}
+      streams_(options_.limits),
+      source_(SourceOf(options_)),
+      longest_outage_s_(source_->longest_outage_s()) {}
 
 std::shared_ptr<Gate> Gate::Open() { return std::shared_ptr<Gate>(new Gate(GateOptions{}, false)); }
 
 Result<std::shared_ptr<Gate>> Gate::WithKeys(GateOptions options) {
   std::shared_ptr<Gate> gate(new Gate(std::move(options), true));
-  DHPMAP_RETURN_IF_ERROR(gate->Load());
+  DHPMAP_RETURN_IF_ERROR(gate->ReadKeys());
   if (!gate->options_.audit_file.empty()) {
     DHPMAP_ASSIGN_OR_RETURN(gate->audit_, AuditLog::Open(gate->options_.audit_file, gate->options_.now_s));
   }
-  DHPMAP_ASSIGN_OR_RETURN(gate->owners_, MapOwners::Open(gate->options_.owners_file));
+  if (gate->options_.owners == nullptr) {
+    DHPMAP_ASSIGN_OR_RETURN(gate->owners_, MapOwnersFile::Open(gate->options_.owners_file));
+  }
   if (gate->options_.look_s > 0) gate->looker_ = std::thread([&gate = *gate] { gate.LookAgainAndAgain(); });
   return gate;
 }
@@ -94,11 +109,14 @@ Result<PrincipalPtr> Gate::AuthenticateFleet(std::string_view address, std::stri
 
 Result<PrincipalPtr> Gate::AuthenticateKey(std::string_view key_text) const {
   if (!has_keys_) return local_;
-  return Ring()->Find(key_text, options_.now_s());
+  DHPMAP_ASSIGN_OR_RETURN(const auto ring, Ring());
+  return ring->Find(key_text, options_.now_s());
 }
 
 Status Gate::CheckStill(const Principal& principal) const {
-  return has_keys_ ? Ring()->Check(principal, options_.now_s()) : Status::Ok();
+  if (!has_keys_) return Status::Ok();
+  DHPMAP_ASSIGN_OR_RETURN(const auto ring, Ring());
+  return ring->Check(principal, options_.now_s());
 }
 
 Result<PrincipalPtr> Gate::AuthenticateLogin(std::string_view word) {
@@ -112,42 +130,42 @@ Result<PrincipalPtr> Gate::AuthenticateLogin(std::string_view word) {
 }
 
 Status Gate::Audit(const AuditEntry& entry) {
+  if (options_.audit_table != nullptr) options_.audit_table->Write(entry);
   if (audit_ == nullptr) return Status::Ok();
   Status written = audit_->Write(entry);
-  Tell(written);
+  Tell(written, kAuditFault);
   return options_.is_audit_required && entry.decision.ok() ? written : Status::Ok();
 }
 
 void Gate::Look() {
   if (!has_keys_) return;
-  const auto state = StateOfKeyFile(options_.key_file);
-  const bool is_changed = [&] {
-    const MutexLock lock(mutex_);
-    return !state.ok() || *state != state_;
-  }();
-  Tell(!state.ok() ? state.status() : is_changed ? Load() : Status::Ok());
+  Tell(ReadKeys(), kKeyFault);
   const auto ring = Ring();
   const std::int64_t now_s = options_.now_s();
-  streams_.EndUnless([&](const Principal& principal) { return ring->Check(principal, now_s); });
+  streams_.EndUnless(
+      [&](const Principal& principal) { return ring.ok() ? (*ring)->Check(principal, now_s) : ring.status(); });
 }
 
-Status Gate::Load() {
-  auto content = ReadKeyFile(options_.key_file);
+Status Gate::ReadKeys() {
+  const MutexLock reading(source_mutex_);
+  const double begin_s = options_.passing_s();
+  DHPMAP_ASSIGN_OR_RETURN(const auto changed, source_->ReadIfChanged());
   const MutexLock lock(mutex_);
-  state_ = content.ok() ? content->state : FileState{};  // a file that cannot be read is tried again at the next look
-  if (!content.ok()) return content.status();
-  ring_ = std::make_shared<const KeyRing>(content->records);
-  fault_.clear();
+  read_at_s_ = begin_s;
+  if (!changed) return Status::Ok();
+  ring_ = std::make_shared<const KeyRing>(*changed);
   return Status::Ok();
 }
 
-void Gate::Tell(const Status& fault) {
+void Gate::Tell(const Status& outcome, FaultKind kind) {
   {
     const MutexLock lock(mutex_);
-    if (fault.ok() || fault.message() == fault_) return;
-    fault_ = fault.message();
+    std::string& last = faults_[kind];
+    if (outcome.ok()) last.clear();
+    if (outcome.ok() || outcome.message() == last) return;
+    last = outcome.message();
   }
-  if (options_.on_fault) options_.on_fault(fault);
+  if (options_.on_fault) options_.on_fault(outcome);
 }
 
 void Gate::LookAgainAndAgain() {
@@ -162,8 +180,10 @@ void Gate::LookAgainAndAgain() {
   }
 }
 
-std::shared_ptr<const KeyRing> Gate::Ring() const {
+Result<std::shared_ptr<const KeyRing>> Gate::Ring() const {
+  const double now_s = options_.passing_s();
   const MutexLock lock(mutex_);
+  if (now_s - read_at_s_ > longest_outage_s_) return KeysAreTooOld();
   return ring_;
 }
 

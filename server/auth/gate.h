@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,13 +12,14 @@
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
 #include "server/auth/audit_log.h"
+#include "server/auth/audit_table.h"
 #include "server/auth/call_limits.h"
 #include "server/auth/call_needs.h"
 #include "server/auth/caller_budgets.h"
 #include "server/auth/failed_logins.h"
 #include "server/auth/fleet_key.h"
-#include "server/auth/keys/key_file.h"
 #include "server/auth/keys/key_ring.h"
+#include "server/auth/keys/key_source.h"
 #include "server/auth/keys/utc_text.h"
 #include "server/auth/live_streams.h"
 #include "server/auth/login_sessions.h"
@@ -28,16 +30,20 @@ namespace dhpmap::auth {
 
 struct GateOptions {
   std::string key_file;
-  std::string audit_file;          ///< empty: no audit log
-  bool is_audit_required = false;  ///< a change that cannot be recorded is refused
-  std::string owners_file;         ///< see MapOwners; empty: not stored
+  std::string audit_file;          ///< empty: no such file
+  bool is_audit_required = false;  ///< a change that cannot be recorded in the file is refused
+  std::string owners_file;         ///< see MapOwnersFile; empty: not stored
+  // Of servers that share a database: in place of key_file and owners_file, and beside audit_file.
+  std::shared_ptr<KeySource> keys = {};
+  std::shared_ptr<MapOwners> owners = {};
+  std::shared_ptr<AuditTable> audit_table = {};
   CallLimits limits;
-  /// Period in s of checking the key file and expired keys; 0: only when Look is called.
+  /// Period in s of looking for changed and expired keys; 0: only when Look is called.
   double look_s = 0.25;
   WallClock now_s = SystemWallClock();
   PassingTime passing_s = SystemPassingTime();
   Randomness randomness = SystemRandomness();
-  /// Called with the reason when a file cannot be used; the last good content stays in force. For the log.
+  /// Called with the reason when keys or a file cannot be used; the last good content stays in force. For the log.
   std::function<void(const Status&)> on_fault;
 };
 
@@ -46,7 +52,7 @@ class Gate {
  public:
   /// Without keys: every caller is the principal "local", an admin, and nothing is checked.
   static std::shared_ptr<Gate> Open();
-  /// Errors as in ReadKeyFile. A file without keys is valid: then nobody is admitted.
+  /// Errors as of KeySource. A source without keys is valid: then nobody is admitted.
   static Result<std::shared_ptr<Gate>> WithKeys(GateOptions options);
   ~Gate();
   Gate(const Gate&) = delete;
@@ -66,6 +72,7 @@ class Gate {
   /// error of FailedLogins::Count in place of BAD_CREDENTIAL; a valid key is admitted all the same.
   [[nodiscard]] Result<PrincipalPtr> AuthenticateFrom(std::string_view address,
                                                       const std::vector<std::string_view>& authorizations);
+  /// UNAVAILABLE, reason DATABASE_UNREACHABLE, once the keys have not been read for longer than KeySource allows.
   [[nodiscard]] Result<PrincipalPtr> AuthenticateKey(std::string_view key_text) const;
   /// Who asks through another server of the fleet, which shows `fleet_key` and names `principal`. UNAUTHENTICATED,
   /// reason BAD_CREDENTIAL, counted by address as a wrong key is, unless the key is that of TakeFleetKey.
@@ -93,7 +100,7 @@ class Gate {
   }
   [[nodiscard]] const CallLimits& limits() const { return options_.limits; }
   /// Records which principal created which map; null without keys.
-  [[nodiscard]] MapOwners* owners() { return owners_.get(); }
+  [[nodiscard]] MapOwners* owners() { return options_.owners != nullptr ? options_.owners.get() : owners_.get(); }
 
   [[nodiscard]] Tickets& tickets() { return tickets_; }
   [[nodiscard]] LiveStreams& streams() { return streams_; }
@@ -106,15 +113,22 @@ class Gate {
   /// See AuditLog::Reopen; OK without an audit log.
   Status ReopenAudit() { return audit_ != nullptr ? audit_->Reopen() : Status::Ok(); }
 
-  /// Reads the key file again if it has changed, and ends the streams of keys that are no longer valid.
-  void Look() DHPMAP_EXCLUDES(mutex_);
+  /// Rows of the audit log that its table lacks, see AuditTable.
+  [[nodiscard]] std::int64_t num_audit_dropped() const {
+    return options_.audit_table != nullptr ? options_.audit_table->num_dropped() : 0;
+  }
+
+  /// Reads the keys again if they have changed, and ends the streams of keys that are no longer valid.
+  void Look() DHPMAP_EXCLUDES(source_mutex_, mutex_);
 
  private:
   Gate(GateOptions options, bool has_keys);
-  Status Load() DHPMAP_EXCLUDES(mutex_);
-  void LookAgainAndAgain() DHPMAP_EXCLUDES(mutex_);
-  [[nodiscard]] std::shared_ptr<const KeyRing> Ring() const DHPMAP_EXCLUDES(mutex_);
-  void Tell(const Status& fault) DHPMAP_EXCLUDES(mutex_);
+  Status ReadKeys() DHPMAP_EXCLUDES(source_mutex_, mutex_);
+  void LookAgainAndAgain() DHPMAP_EXCLUDES(source_mutex_, mutex_);
+  [[nodiscard]] Result<std::shared_ptr<const KeyRing>> Ring() const DHPMAP_EXCLUDES(mutex_);
+  enum FaultKind { kKeyFault, kAuditFault };
+  /// Calls on_fault with an error, unless the last outcome of this kind was the same.
+  void Tell(const Status& outcome, FaultKind kind) DHPMAP_EXCLUDES(mutex_);
 
   const GateOptions options_;
   const bool has_keys_;
@@ -125,17 +139,20 @@ class Gate {
   FailedLogins failed_logins_;
   Tickets tickets_;
   LoginSessions logins_;
-  std::unique_ptr<AuditLog> audit_;  ///< may be null
+  std::unique_ptr<AuditLog> audit_;  ///< the file; may be null
   CallerBudgets budgets_;
-  std::unique_ptr<MapOwners> owners_;
+  std::unique_ptr<MapOwners> owners_;  ///< those of a file
   LiveStreams streams_;
 
+  Mutex source_mutex_;  ///< held while keys are read; taken before the other
+  const std::shared_ptr<KeySource> source_ DHPMAP_PT_GUARDED_BY(source_mutex_);
+  const double longest_outage_s_;
   mutable Mutex mutex_;
   CondVar changed_;
   bool is_ending_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::shared_ptr<const KeyRing> ring_ DHPMAP_GUARDED_BY(mutex_);
-  FileState state_ DHPMAP_GUARDED_BY(mutex_);    ///< of the file when it was read; empty: it could not be read
-  std::string fault_ DHPMAP_GUARDED_BY(mutex_);  ///< the last one reported; empty: none since
+  double read_at_s_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< of passing_s: when the keys were known to be up to date
+  std::array<std::string, 2> faults_ DHPMAP_GUARDED_BY(mutex_);  ///< the last of each kind; empty: none since
   std::thread looker_;
 };
 

@@ -93,7 +93,9 @@ Status ServerConfig::Validate() const {
   });
   CheckAddress("grpc.address", grpc.address, bad);
   CheckAddress("http.address", http.address, bad);
-  const Status exposure = CheckExposure(*this, tls.is_on(), !KeyFileOf(*this).empty());
+  // A database server may have keys: that is checked once it is asked.
+  const bool may_have_keys = !KeyFileOf(*this).empty() || DatabaseFileOf(*this).empty();
+  const Status exposure = CheckExposure(*this, tls.is_on(), may_have_keys);
   for (const FieldViolation& violation : exposure.violations()) {
     bad.AddViolation(violation.field, violation.description);
   }
@@ -165,9 +167,10 @@ Status CheckExposure(const ServerConfig& config, bool has_tls, bool has_keys) {
   std::string lacks;
   if (lacks_tls) lacks += "no TLS (--insecure-no-tls allows it)";
   if (lacks_keys) {
-    lacks += std::string(lacks.empty() ? "" : ", and there are ") +
-             "no keys (`dhpmap keys create --keys FILE` makes one, auth.keys names the file; --insecure-no-auth goes "
-             "without)";
+    lacks +=
+        std::string(lacks.empty() ? "" : ", and there are ") +
+        "no keys (`dhpmap keys create` makes one, in a file, which auth.keys names, or in a postgresql:// database; "
+        "--insecure-no-auth goes without)";
   }
   Status bad = InvalidArgument("the server would be open to strangers").WithReason("BAD_CONFIG");
   CheckReach("grpc.address", config.grpc.address, lacks, bad);

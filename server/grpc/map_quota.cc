@@ -17,6 +17,11 @@ Status OutOfQuota(const std::string& principal, const std::string& has) {
   return ResourceExhausted(std::move(text)).WithReason("OUT_OF_QUOTA");
 }
 
+/// Frames wait for a database that does not answer, so a quota that cannot be looked up keeps no robot out.
+Status MayBeUnknown(Status checked) {
+  return checked.code() == StatusCode::kUnavailable ? Status::Ok() : std::move(checked);
+}
+
 /// Of maps that are gone, whose lines are left in the file.
 constexpr std::size_t kMostGone = 1000;
 
@@ -29,8 +34,9 @@ Result<std::unique_ptr<MapQuota::Making>> MapQuota::Begin(const Caller& caller) 
   if (caller.principal() == nullptr || gate_.owners() == nullptr) return std::unique_ptr<Making>();
   const std::string& principal = caller.principal()->name;
   DHPMAP_RETURN_IF_ERROR(CheckDisk(principal));
-  // Lines of maps that are gone count too, so few need no look at the maps.
-  std::size_t num_maps = gate_.owners()->NumOf(principal);
+  // Maps that are gone may count too, so few need no look at the maps.
+  DHPMAP_ASSIGN_OR_RETURN(const std::set<std::uint64_t> made, gate_.owners()->MapsOf(principal));
+  std::size_t num_maps = made.size();
   if (!HasRoom(principal, num_maps)) {
     DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> maps, MapsOf(principal));
     num_maps = maps.size();
@@ -49,7 +55,8 @@ Result<std::unique_ptr<MapQuota::Making>> MapQuota::Begin(const Caller& caller) 
 Status MapQuota::CheckFeed(const MapInfo& map) {
   if (gate_.owners() == nullptr) return Status::Ok();
   const auto principal = gate_.owners()->OwnerOf(map.history_id);
-  return principal ? CheckDisk(*principal) : Status::Ok();
+  if (!principal.ok()) return MayBeUnknown(principal.status());
+  return *principal ? MayBeUnknown(CheckDisk(**principal)) : Status::Ok();
 }
 
 bool MapQuota::HasRoom(const std::string& principal, std::size_t num_maps) {
@@ -98,8 +105,10 @@ Status MapQuota::ForEachMap(const std::function<void(const MapInfo&)>& body) con
 
 Result<std::vector<std::string>> MapQuota::MapsOf(const std::string& principal) const {
   std::vector<std::string> maps;
+  DHPMAP_ASSIGN_OR_RETURN(const std::set<std::uint64_t> made, gate_.owners()->MapsOf(principal));
+  if (made.empty()) return maps;
   DHPMAP_RETURN_IF_ERROR(ForEachMap([&](const MapInfo& map) {
-    if (gate_.owners()->OwnerOf(map.history_id) == principal) maps.push_back(map.name);
+    if (made.contains(map.history_id)) maps.push_back(map.name);
   }));
   return maps;
 }

@@ -45,7 +45,8 @@ class MapQuota {
   /// RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if the caller has made as many or as large maps as one may; null without
   /// keys. Reads from the store.
   Result<std::unique_ptr<Making>> Begin(const Caller& caller) DHPMAP_EXCLUDES(mutex_);
-  /// Before frames go into a map: likewise of whoever has made it, as to its size.
+  /// Before frames go into a map: likewise of its maker, as to the size of the maker's maps. OK while the store does
+  /// not answer.
   Status CheckFeed(const MapInfo& map) DHPMAP_EXCLUDES(mutex_);
 
  private:

@@ -200,6 +200,8 @@ std::string Metrics::Text(const Gauges& gauges) const {
   families.push_back(Gauge("dhpmap_past_states_memory_bytes",
                            "Memory of states kept to be read again, as far as later ones do not share it",
                            static_cast<double>(gauges.past_bytes)));
+  families.push_back(CounterOf("dhpmap_audit_dropped_total", "Rows that the audit log in the database lacks",
+                               static_cast<double>(gauges.num_audit_dropped)));
   families.push_back(Gauge("dhpmap_insecure", "1: a switch lets strangers in", gauges.is_insecure ? 1 : 0));
   families.push_back(Gauge("dhpmap_watchers", "Who watches maps", static_cast<double>(gauges.num_watchers)));
   families.push_back(Gauge("dhpmap_inflight_bytes",

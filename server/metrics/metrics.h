@@ -44,6 +44,7 @@ class Metrics {
     std::uint64_t num_unspilled = 0;         ///< failed writes
     std::int64_t spill_bytes = 0;            ///< of the spill file
     bool is_insecure = false;                ///< a switch disables protection
+    std::int64_t num_audit_dropped = 0;      ///< rows that the audit log in the database lacks
     std::size_t past_bytes = 0;              ///< of stored past states, as far as later ones do not share them
   };
 
@@ -60,8 +61,8 @@ class Metrics {
 
   /// All metrics: dhpmap_map_{submaps,blocks,revision,memory_bytes,feeds} of the given maps, dhpmap_insecure,
   /// dhpmap_surface_memory_bytes, dhpmap_watchers, dhpmap_inflight_bytes, dhpmap_record_bytes,
-  /// dhpmap_page_memory_bytes, dhpmap_pages_{read,unreadable,let_go}_total, and of the process:
-  /// process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
+  /// dhpmap_page_memory_bytes, dhpmap_pages_{read,unreadable,let_go}_total, dhpmap_audit_dropped_total, and of the
+  /// process: process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
   ///
   /// The kernel reports the latter. The program itself counts dhpmap_scratch_bytes and dhpmap_scratch_peak_bytes
   /// (maximum since the start) of kind "refinement", "meshing" and "fusion", and dhpmap_memory_bytes. The latter counts

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap keys create|list|rotate|revoke: edits the server's key file on this machine. dhpmap whoami: the principal of a
-// key.
+// dhpmap keys create|list|rotate|revoke: edits the server's key file on this machine, or the keys in a database.
+// dhpmap whoami: the principal of a key.
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "clients/cli/connection.h"
+#include "clients/cli/database_flag.h"
 #include "clients/cli/text_table.h"
 #include "dhpmap/v1/auth_service.grpc.pb.h"
 #include "server/auth/keys/key_book.h"
 #include "server/auth/keys/key_file.h"
+#include "server/auth/keys/key_table.h"
 #include "server/auth/keys/utc_text.h"
+#include "storage/auth_tables.h"
 
 namespace dhpmap {
 namespace {
 
 struct KeyOptions {
-  std::string file;
+  std::string file, database;  ///< one of them is empty
   std::string name;
   std::string role = "viewer";
   std::string expires = "90d", overlap = "24h";
@@ -35,6 +40,7 @@ Result<std::int64_t> ExpiryOf(const std::string& text) {
 }
 
 ExitCode Report(const Status& status) {
+  if (status.code() == StatusCode::kUnavailable) return ReportLocalError(status.message(), ExitCode::kUnreachable);
   const bool is_usage = status.code() == StatusCode::kInvalidArgument || status.code() == StatusCode::kNotFound;
   return ReportLocalError(status.message(), is_usage ? ExitCode::kUsage : ExitCode::kLocalFile);
 }
@@ -52,13 +58,31 @@ ExitCode Show(const Session& session, const auth::ShownKey& key) {
   return ExitCode::kOk;
 }
 
+using Records = std::vector<auth::KeyRecord>;
+
+Result<Records> ReadKeys(const KeyOptions& options) {
+  if (options.database.empty()) {
+    DHPMAP_ASSIGN_OR_RETURN(auth::KeyFileContent content, auth::ReadKeyFile(options.file));
+    return std::move(content.records);
+  }
+  DHPMAP_ASSIGN_OR_RETURN(const auto tables, OpenAuthTables(options.database));
+  DHPMAP_ASSIGN_OR_RETURN(auth::KeyTableContent content, auth::ReadKeyTable(*tables));
+  return std::move(content.records);
+}
+
+Status ChangeKeys(const KeyOptions& options, const std::function<Status(Records&)>& change) {
+  if (options.database.empty()) return auth::ChangeKeyFile(options.file, change);
+  DHPMAP_ASSIGN_OR_RETURN(const auto tables, OpenAuthTables(options.database));
+  return auth::ChangeKeyTable(*tables, change);
+}
+
 ExitCode RunCreate(const Session& session, const KeyOptions& options) {
   const auto role = auth::RoleFromName(options.role);
   if (!role) return ReportLocalError("the role is viewer, editor, robot or admin", ExitCode::kUsage);
   const auto expires_s = ExpiryOf(options.expires);
   if (!expires_s.ok()) return Report(expires_s.status());
   auth::ShownKey shown;
-  const Status made = auth::ChangeKeyFile(options.file, [&](std::vector<auth::KeyRecord>& records) -> Status {
+  const Status made = ChangeKeys(options, [&](Records& records) -> Status {
     const auth::NewKey key{.name = options.name,
                            .role = *role,
                            .maps = options.maps,
@@ -74,7 +98,7 @@ ExitCode RunRotate(const Session& session, const KeyOptions& options) {
   const auto overlap_s = auth::DurationFromText(options.overlap);
   if (!overlap_s) return ReportLocalError("'" + options.overlap + "' is no time: say 24h", ExitCode::kUsage);
   auth::ShownKey shown;
-  const Status made = auth::ChangeKeyFile(options.file, [&](std::vector<auth::KeyRecord>& records) -> Status {
+  const Status made = ChangeKeys(options, [&](Records& records) -> Status {
     DHPMAP_ASSIGN_OR_RETURN(shown, RotateKey(options.name, *overlap_s, Now_s(), auth::SystemRandomness(), records));
     return Status::Ok();
   });
@@ -83,7 +107,7 @@ ExitCode RunRotate(const Session& session, const KeyOptions& options) {
 
 ExitCode RunRevoke(const KeyOptions& options) {
   int num_revoked = 0;
-  const Status made = auth::ChangeKeyFile(options.file, [&](std::vector<auth::KeyRecord>& records) -> Status {
+  const Status made = ChangeKeys(options, [&](Records& records) -> Status {
     DHPMAP_ASSIGN_OR_RETURN(num_revoked, auth::RevokeKeys(options.name, Now_s(), records));
     return Status::Ok();
   });
@@ -105,11 +129,11 @@ std::string StateOf(const auth::KeyRecord& record) {
 }
 
 ExitCode RunList(const Session& session, const KeyOptions& options) {
-  const auto content = auth::ReadKeyFile(options.file);
-  if (!content.ok()) return Report(content.status());
+  const auto records = ReadKeys(options);
+  if (!records.ok()) return Report(records.status());
   if (session.json) {
     nlohmann::ordered_json keys = nlohmann::ordered_json::array();
-    for (const auth::KeyRecord& record : content->records) {
+    for (const auth::KeyRecord& record : *records) {
       keys.push_back(nlohmann::ordered_json::parse(auth::LineOf(record)));
       keys.back().erase("sha256");
     }
@@ -117,7 +141,7 @@ ExitCode RunList(const Session& session, const KeyOptions& options) {
     return ExitCode::kOk;
   }
   TextTable table({"ID", "NAME", "ROLE", "MAPS", "SESSIONS", "STATE"});
-  for (const auth::KeyRecord& record : content->records) {
+  for (const auth::KeyRecord& record : *records) {
     table.Add({record.id, record.name, std::string(auth::NameOf(record.role)), Joined(record.maps.texts()),
                Joined(record.sessions.texts()), StateOf(record)});
   }
@@ -142,8 +166,12 @@ ExitCode RunWhoAmI(const Session& session) {
 
 CLI::App* AddKeyCommand(CLI::App& keys, const char* name, const char* help, KeyOptions& options) {
   CLI::App* command = keys.add_subcommand(name, help);
-  command->add_option("--keys", options.file, "The server's file of keys: auth.keys, or DB.keys beside the database")
-      ->required();
+  CLI::Option* file = command->add_option("--keys", options.file,
+                                          "The server's file of keys: auth.keys, or DB.keys beside the database");
+  AddDatabaseFlag(*command, options.database)->excludes(file);
+  command->parse_complete_callback([&options] {
+    if (options.file.empty() && options.database.empty()) throw CLI::RequiredError("--keys FILE or --db URL");
+  });
   return command;
 }
 
@@ -151,7 +179,7 @@ CLI::App* AddKeyCommand(CLI::App& keys, const char* name, const char* help, KeyO
 
 void AddKeysCommands(CLI::App& app, Session& session) {
   CLI::App* keys =
-      app.add_subcommand("keys", "Keys of a server, in its file on this machine; it takes them up at once");
+      app.add_subcommand("keys", "Keys of servers, in a file or a database; they take them up within a second");
   keys->require_subcommand(1);
   auto options = std::make_shared<KeyOptions>();
   CLI::App* create = AddKeyCommand(*keys, "create", "Make a key and show it, once", *options);

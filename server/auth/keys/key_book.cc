@@ -19,7 +19,7 @@ bool IsGood(const KeyRecord& record, std::int64_t now_s) { return !record.revoke
 /// Adds a record with a new random id. A collision is reported; by chance it takes some 2^24 keys.
 Result<ShownKey> Add(KeyRecord record, const Randomness& randomness, std::vector<KeyRecord>& records) {
   if (records.size() >= kMostKeys) {
-    return InvalidArgument("the file has as many keys as it may: take out old ones").WithReason("BAD_KEY");
+    return InvalidArgument("there are as many keys as there may be: take out old ones").WithReason("BAD_KEY");
   }
   std::string text = MakeKeyText(randomness);
   const auto parsed = ParseKeyText(text);

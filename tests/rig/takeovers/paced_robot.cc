@@ -5,7 +5,9 @@
 
 #include <thread>
 
+#include "dhpmap/v1/map_service.grpc.pb.h"
 #include "dhpmap/v1/mapping_service.grpc.pb.h"
+#include "proto/types/metadata_keys.h"
 #include "tests/support/status_reason.h"
 
 namespace dhpmap::rig {
@@ -47,10 +49,13 @@ std::size_t Doors::Find(const std::string& address, std::size_t otherwise) const
 }
 
 void PacedRobot::Run(double period_s, double timeout_s, const std::atomic<bool>& is_over) {
+  constexpr std::int64_t kFramesAnEdit = 4;
   auto due = Clock::now();
   for (std::int64_t sequence = 1; !is_over; ++sequence) {
     std::this_thread::sleep_until(due);
     while (!is_over && !Send(sequence, timeout_s)) std::this_thread::sleep_for(50ms);
+    const std::int64_t edit = sequence / kFramesAnEdit;
+    while (!is_over && sequence % kFramesAnEdit == 0 && !Edit(edit, timeout_s)) std::this_thread::sleep_for(50ms);
     due = std::max(due + Micros(period_s), Clock::now() - Micros(period_s));
   }
 }
@@ -70,37 +75,75 @@ bool PacedRobot::Send(std::int64_t sequence, double timeout_s) {
   if (stream->Write(request)) stream->WritesDone();
   while (stream->Read(&answer)) last = answer;
   const grpc::Status status = stream->Finish();
+  if (!status.ok()) return OnFailure(status), false;
+  NoteOwner(context);
   const MutexLock lock(mutex_);
-  if (status.ok()) {
-    if (last.committed_sequence() >= sequence) {
-      acknowledged_.push_back({sequence, Clock::now(), server_});
-      return true;
-    }
+  if (last.committed_sequence() < sequence) {
     complaints_.push_back(map_ + ": ended well, and is not stored: " + last.ShortDebugString());
     return false;
   }
+  last_stored_ = sequence;
+  acknowledged_.push_back({sequence, Clock::now(), server_});
+  return true;
+}
+
+bool PacedRobot::Edit(std::int64_t number, double timeout_s) {
+  const std::string name = "edit-" + std::to_string(number);
+  v1::UpdateMapRequest request;
+  request.mutable_map()->set_name(map_);
+  request.mutable_map()->set_display_name(name);
+  request.mutable_update_mask()->add_paths("display_name");
+  request.set_author(name);
+  request.set_request_id(name);
+  v1::UpdateMapResponse response;
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + Micros(timeout_s));
+  const auto maps = v1::MapService::NewStub(doors_.ChannelTo(server_));
+  const grpc::Status status = maps->UpdateMap(&context, request, &response);
+  if (!status.ok()) return OnFailure(status), false;
+  NoteOwner(context);
+  const MutexLock lock(mutex_);
+  edit_revisions_.push_back(response.map().revision());
+  acknowledged_.push_back({last_stored_, Clock::now(), server_});
+  return true;
+}
+
+void PacedRobot::NoteOwner(const grpc::ClientContext& context) {
+  const auto& metadata = context.GetServerInitialMetadata();
+  const auto owner = metadata.find(kOwnerKey);
+  if (owner == metadata.end()) return;
+  const std::string text(owner->second.data(), owner->second.size());
+  server_ = doors_.Find(text.substr(0, text.find(' ')), server_);
+}
+
+void PacedRobot::OnFailure(const grpc::Status& status) {
   const auto info = testing::ErrorInfoOf(status);
   const auto owner = info.metadata().find("owner");
-  const std::size_t next = (server_ + 1) % doors_.size();
+  const std::size_t next = (server_ + step_) % doors_.size();
   if (info.reason() == "NOT_OWNER" && owner != info.metadata().end()) {
     ++num_sent_on_;
     const std::size_t to = doors_.Find(owner->second, next);
     server_ = to == server_ ? next : to;
-    return false;
+    return;
   }
   ++num_failed_;
   if (status.error_code() != grpc::StatusCode::UNAVAILABLE &&
       status.error_code() != grpc::StatusCode::DEADLINE_EXCEEDED) {
+    const MutexLock lock(mutex_);
     complaints_.push_back(map_ + ": " + std::to_string(status.error_code()) + " " + info.reason() + " " +
                           status.error_message());
   }
   server_ = next;
-  return false;
 }
 
 std::vector<PacedRobot::Acknowledged> PacedRobot::acknowledged() const {
   const MutexLock lock(mutex_);
   return acknowledged_;
+}
+
+std::vector<std::int64_t> PacedRobot::edit_revisions() const {
+  const MutexLock lock(mutex_);
+  return edit_revisions_;
 }
 
 std::vector<std::string> PacedRobot::complaints() const {

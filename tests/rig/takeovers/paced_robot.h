@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <grpcpp/channel.h>
+#include <grpcpp/grpcpp.h>
 
 #include <atomic>
 #include <chrono>
@@ -21,7 +21,7 @@ class Doors {
   explicit Doors(std::size_t num_servers) : num_servers_(num_servers), channels_(num_servers) {}
   void Set(std::size_t server, const std::string& address) DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::shared_ptr<grpc::Channel> ChannelTo(std::size_t server) const DHPMAP_EXCLUDES(mutex_);
-  /// The one at that address; `otherwise` if there is none, or no longer.
+  /// The server at that address; `otherwise` if there is none.
   [[nodiscard]] std::size_t Find(const std::string& address, std::size_t otherwise) const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::size_t size() const { return num_servers_; }
 
@@ -36,40 +36,51 @@ class Doors {
 };
 
 /// A robot that feeds a map of its own at an even pace, each frame until it is acknowledged as stored: sequences 1, 2,
-/// and so on. It goes where NOT_OWNER sends it, and to the next server when one does not answer in time.
+/// and so on. After every fourth frame it renames the map, one request until it is answered. It goes to the owner that
+/// answers name, and to the next server of its own order when one does not answer in time.
 class PacedRobot {
  public:
   using Clock = std::chrono::steady_clock;
 
-  PacedRobot(const Doors& doors, const Corridor& corridor, std::string map, std::size_t server)
-      : doors_(doors), corridor_(corridor), map_(std::move(map)), server_(server) {}
+  /// `doors` and `corridor` outlive it. `step`: from one server to the next of its order, 1 to their number - 1.
+  PacedRobot(const Doors& doors, const Corridor& corridor, std::string map, std::size_t server, std::size_t step)
+      : doors_(doors), corridor_(corridor), map_(std::move(map)), step_(step), server_(server) {}
 
-  /// Until it is told to stop.
-  void Run(double period_s, double timeout_s, const std::atomic<bool>& is_over);
+  void Run(double period_s, double timeout_s, const std::atomic<bool>& is_over) DHPMAP_EXCLUDES(mutex_);
 
+  /// Stored by the server's word.
   struct Acknowledged {
-    std::int64_t sequence = 0;
+    std::int64_t sequence = 0;  ///< of the last frame
     Clock::time_point time;
     std::size_t server = 0;
   };
+  /// Of frames and of edits, in order.
   [[nodiscard]] std::vector<Acknowledged> acknowledged() const DHPMAP_EXCLUDES(mutex_);
+  /// Revisions of the edits by their number, from 1 on; author and request id are "edit-" with that number.
+  [[nodiscard]] std::vector<std::int64_t> edit_revisions() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] const std::string& map() const { return map_; }
   [[nodiscard]] int num_sent_on() const { return num_sent_on_; }
   [[nodiscard]] int num_failed() const { return num_failed_; }
-  /// Reasons of refusals that nobody expects.
+  /// Refusals for other reasons than a takeover.
   [[nodiscard]] std::vector<std::string> complaints() const DHPMAP_EXCLUDES(mutex_);
 
  private:
-  /// Whether it is stored; else where to go next is noted.
-  bool Send(std::int64_t sequence, double timeout_s);
+  /// Whether it is stored; otherwise `server_` is the one to try next. So does Edit.
+  bool Send(std::int64_t sequence, double timeout_s) DHPMAP_EXCLUDES(mutex_);
+  bool Edit(std::int64_t number, double timeout_s) DHPMAP_EXCLUDES(mutex_);
+  void NoteOwner(const grpc::ClientContext& context);
+  void OnFailure(const grpc::Status& status) DHPMAP_EXCLUDES(mutex_);
 
   const Doors& doors_;
   const Corridor& corridor_;
   const std::string map_;
+  const std::size_t step_;
   std::size_t server_;
+  std::int64_t last_stored_ = 0;
   std::atomic<int> num_sent_on_ = 0, num_failed_ = 0;
   mutable Mutex mutex_;
   std::vector<Acknowledged> acknowledged_ DHPMAP_GUARDED_BY(mutex_);
+  std::vector<std::int64_t> edit_revisions_ DHPMAP_GUARDED_BY(mutex_);
   std::vector<std::string> complaints_ DHPMAP_GUARDED_BY(mutex_);
 };
 

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap-rig-takeovers: several servers on one PostgreSQL database, of which one after the other is killed, stopped or
-// ended while robots feed. Checks that nothing acknowledged is lost or there twice, and says how long robots waited.
+// dhpmap-rig-takeovers: several servers on one PostgreSQL database. One after the other is killed, stopped or ended
+// while robots feed and edit. Checks that nothing acknowledged is lost or doubled, and says how long robots waited.
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "dhpmap/v1/map_service.grpc.pb.h"
-#include "dhpmap/v1/mapping_service.grpc.pb.h"
 #include "tests/e2e/server_process.h"
 #include "tests/rig/takeovers/paced_robot.h"
+#include "tests/rig/takeovers/stored_maps.h"
 #include "tests/support/postgres_cluster.h"
 
 namespace dhpmap::rig {
@@ -24,13 +27,14 @@ namespace {
 
 struct Options {
   int servers = 4, robots = 32, faults = 50;
-  double period_s = 1, timeout_s = 1, lease_s = 2;
+  double period_s = 1, timeout_s = 1;
+  std::vector<std::string> kinds = {"kill", "stop", "end"};
 };
 
 enum class Fault { kKill, kStop, kEnd };
 constexpr std::array<const char*, 3> kFaultNames = {"killed", "stopped", "ended"};
-
-void Sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+constexpr double kPatience_s = 20;                         ///< for the first acknowledgement after a fault
+constexpr auto kUnderWay = std::chrono::milliseconds(50);  ///< what arrives so soon was sent before the fault
 
 double At(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;
@@ -53,9 +57,12 @@ class Takeovers {
     for (const auto& robot : robots_) {
       threads.emplace_back([&] { robot->Run(options_.period_s, options_.timeout_s, is_over_); });
     }
-    Sleep(5);
+    WaitUntilAllAreHeard(PacedRobot::Clock::now());
+    std::mt19937 random(1);
     for (int n = 0; n < options_.faults; ++n) {
-      if (!Do(static_cast<Fault>(n % 3), static_cast<std::size_t>(n) % doors_.size())) break;
+      const std::string& kind = options_.kinds[static_cast<std::size_t>(n) % options_.kinds.size()];
+      const Fault fault = kind == "kill" ? Fault::kKill : kind == "stop" ? Fault::kStop : Fault::kEnd;
+      if (!Do(fault, BusyServer(random))) break;
     }
     is_over_ = true;
     for (std::thread& thread : threads) thread.join();
@@ -84,22 +91,28 @@ class Takeovers {
         complaints_.push_back("no map: " + created.error_message());
         return false;
       }
-      robots_.push_back(std::make_unique<PacedRobot>(doors_, corridor_, "maps/" + id, server));
+      const std::size_t step =
+          1 + static_cast<std::size_t>(i) / doors_.size() % std::max<std::size_t>(doors_.size() - 1, 1);
+      robots_.push_back(std::make_unique<PacedRobot>(doors_, corridor_, "maps/" + id, server, step));
     }
     return true;
   }
 
-  /// To one server, which then comes back.
+  /// Of those that own maps, one at random.
+  std::size_t BusyServer(std::mt19937& random) const {
+    const auto& robot = robots_[std::uniform_int_distribution<std::size_t>(0, robots_.size() - 1)(random)];
+    return robot->acknowledged().back().server;
+  }
+
+  /// Makes a fault of one server, waits until its robots are served again, and brings the server back.
   bool Do(Fault fault, std::size_t victim) {
     std::vector<PacedRobot*> hit;
     for (const auto& robot : robots_) {
-      const auto acknowledged = robot->acknowledged();
-      if (!acknowledged.empty() && acknowledged.back().server == victim) hit.push_back(robot.get());
+      if (robot->acknowledged().back().server == victim) hit.push_back(robot.get());
     }
     const auto begin = PacedRobot::Clock::now();
     testing::Process& process = servers_[victim]->process();
     process.Signal(fault == Fault::kKill ? SIGKILL : fault == Fault::kStop ? SIGSTOP : SIGTERM);
-    Sleep(options_.lease_s + options_.timeout_s + 2.5);
     for (const PacedRobot* robot : hit) NoteWait(*robot, fault, begin);
     if (fault == Fault::kStop) {
       process.Signal(SIGCONT);
@@ -108,40 +121,52 @@ class Takeovers {
       if (fault == Fault::kEnd && code != 0) complaints_.push_back("a server does not end well: " + process.Stderr());
       if (!Start(victim)) return false;
     }
-    Sleep(1.5);
+    WaitUntilAllAreHeard(PacedRobot::Clock::now());
     std::printf("%s server %zu, of %zu robots\n", kFaultNames[static_cast<std::size_t>(fault)], victim, hit.size());
     std::fflush(stdout);
     return true;
   }
 
-  /// From the fault until the first acknowledgement of a frame that was sent after it.
-  void NoteWait(const PacedRobot& robot, Fault fault, PacedRobot::Clock::time_point begin) {
-    constexpr auto kUnderWay = std::chrono::milliseconds(50);
-    for (const auto& acknowledged : robot.acknowledged()) {
-      if (acknowledged.time < begin + kUnderWay) continue;
-      waits_[static_cast<std::size_t>(fault)].push_back(
-          std::chrono::duration<double>(acknowledged.time - begin).count());
-      return;
+  /// The first acknowledgement that a robot gets after `begin`; nothing if none comes.
+  static std::optional<PacedRobot::Clock::time_point> HeardAfter(const PacedRobot& robot,
+                                                                 PacedRobot::Clock::time_point begin) {
+    const auto end = PacedRobot::Clock::now() + std::chrono::duration<double>(kPatience_s);
+    while (PacedRobot::Clock::now() < end) {
+      const auto acknowledged = robot.acknowledged();
+      if (!acknowledged.empty() && acknowledged.back().time >= begin) {
+        return std::find_if(acknowledged.begin(), acknowledged.end(),
+                            [&](const auto& its) { return its.time >= begin; })
+            ->time;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    waits_[static_cast<std::size_t>(fault)].push_back(99);
-    complaints_.push_back(robot.map() + " waits still");
+    return {};
+  }
+
+  void WaitUntilAllAreHeard(PacedRobot::Clock::time_point since) {
+    for (const auto& robot : robots_) {
+      if (!HeardAfter(*robot, since + kUnderWay)) complaints_.push_back(robot->map() + " waits still");
+    }
+  }
+
+  void NoteWait(const PacedRobot& robot, Fault fault, PacedRobot::Clock::time_point begin) {
+    const auto heard = HeardAfter(robot, begin + kUnderWay);
+    const double wait_s = heard ? std::chrono::duration<double>(*heard - begin).count() : 99;
+    waits_[static_cast<std::size_t>(fault)].push_back(wait_s);
+    if (!heard) complaints_.push_back(robot.map() + " waits still");
   }
 
   void Check() {
     for (const auto& robot : robots_) {
       const auto acknowledged = robot->acknowledged();
       const std::int64_t last = acknowledged.empty() ? 0 : acknowledged.back().sequence;
-      v1::GetMapRequest request;
-      request.set_name(robot->map());
-      v1::GetMapResponse response;
-      grpc::ClientContext context;
-      const grpc::Status got = v1::MapService::NewStub(doors_.ChannelTo(0))->GetMap(&context, request, &response);
-      const std::int64_t stored = response.map().num_frames();
       num_acknowledged_ += last;
-      // The last one may be stored without having been acknowledged.
-      if (!got.ok() || stored < last) complaints_.push_back(robot->map() + ": frames are lost");
-      if (stored > last + 1) complaints_.push_back(robot->map() + ": frames are there twice");
-      for (const std::string& complaint : robot->complaints()) complaints_.push_back(complaint);
+      num_edits_ += static_cast<std::int64_t>(robot->edit_revisions().size());
+      const auto add = [this](const std::vector<std::string>& more) {
+        complaints_.insert(complaints_.end(), more.begin(), more.end());
+      };
+      add(ComplaintsOfStored(doors_.ChannelTo(0), robot->map(), last, robot->edit_revisions()));
+      add(robot->complaints());
     }
   }
 
@@ -151,8 +176,8 @@ class Takeovers {
       num_sent_on += robot->num_sent_on();
       num_failed += robot->num_failed();
     }
-    std::printf("%lld frames acknowledged, sent on %d times, failed calls %d\n",
-                static_cast<long long>(num_acknowledged_), num_sent_on, num_failed);
+    std::printf("%lld frames and %lld edits acknowledged, sent on %d times, failed calls %d\n",
+                static_cast<long long>(num_acknowledged_), static_cast<long long>(num_edits_), num_sent_on, num_failed);
     for (std::size_t i = 0; i < kFaultNames.size(); ++i) {
       std::printf("%s: %zu waits, p50 %.2f s, p99 %.2f s, longest %.2f s\n", kFaultNames[i], waits_[i].size(),
                   At(waits_[i], 0.5), At(waits_[i], 0.99), At(waits_[i], 1));
@@ -169,7 +194,7 @@ class Takeovers {
   std::vector<std::unique_ptr<PacedRobot>> robots_;
   std::atomic<bool> is_over_ = false;
   std::array<std::vector<double>, 3> waits_;
-  std::int64_t num_acknowledged_ = 0;
+  std::int64_t num_acknowledged_ = 0, num_edits_ = 0;
   std::vector<std::string> complaints_;
 };
 
@@ -178,10 +203,14 @@ class Takeovers {
 
 int main(int argc, char** argv) {
   dhpmap::rig::Options options;
-  CLI::App app{"Kills, stops and ends servers on one database while robots feed, and checks what they were told"};
+  CLI::App app{"Kills, stops and ends servers on one database while robots feed and edit, and checks what is stored"};
   app.add_option("--servers", options.servers, "Processes")->capture_default_str();
   app.add_option("--robots", options.robots, "Each feeds a map of its own")->capture_default_str();
-  app.add_option("--faults", options.faults, "How many, of the three kinds in turn")->capture_default_str();
+  app.add_option("--faults", options.faults, "How many, of the kinds in turn")->capture_default_str();
+  app.add_option("--kinds", options.kinds, "kill (SIGKILL), stop (SIGSTOP), end (SIGTERM)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"kill", "stop", "end"}))
+      ->capture_default_str();
   app.add_option("--period", options.period_s, "s between a robot's frames")->capture_default_str();
   app.add_option("--timeout", options.timeout_s, "s after which a robot tries another server")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

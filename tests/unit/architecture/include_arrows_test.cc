@@ -84,8 +84,8 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"server/config", {"mapping/base", "mapping/labels", "mapping/map", "server/app", "server/log"}},
       {"server/wire", {"mapping", "server/app", "server/base", "proto"}},
       {"server/record", {"mapping/base", "mapping/map", "server/app", "server/wire", "proto"}},
-      {"server/auth/keys", {"mapping/base"}},
-      {"server/auth", {"mapping/base", "server/auth/keys", "server/base", "proto"}},
+      {"server/auth/keys", {"mapping/base", "storage/auth_tables.h"}},
+      {"server/auth", {"mapping/base", "server/auth/keys", "server/base", "storage/auth_tables.h", "proto"}},
       {"server/net", {"mapping/base", "server/log"}},
       {"server/service", {"mapping/base"}},
       {"server/grpc",
@@ -98,8 +98,8 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
        {"mapping/base", "server/auth", "server/base", "server/web", "proto/types", "server/http", "server/json",
         "proto"}},
       {"server",
-       {"mapping", "storage/store.h", "storage/postgres_store.h", "storage/sqlite_store.h", "server",
-        "proto"}},  // main.cc: wiring
+       {"mapping", "storage/auth_tables.h", "storage/store.h", "storage/postgres_store.h", "storage/sqlite_store.h",
+        "server", "proto"}},  // main.cc: wiring
       {"clients/cpp/calls", {"mapping/base/mutex.h", "proto"}},
       {"clients/cpp", {"mapping/base/mutex.h", "proto"}},
       {"clients/cpp/ompl", {"mapping/base/mutex.h", "clients/cpp"}},
@@ -109,8 +109,8 @@ const std::map<std::string, std::vector<std::string>>& Arrows() {
       {"clients/evaluator", {"mapping", "clients/command_line", "clients/datasets"}},
       {"clients/evaluator/baselines", {"mapping", "clients/evaluator/mapping_system.h"}},
       {"clients/cli",
-       {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor", "server/auth/keys", "proto/types",
-        "clients/command_line", "clients/cpp/calls", "clients/datasets", "proto"}},
+       {"mapping/base", "mapping/labels", "mapping/map", "mapping/sensor", "storage/auth_tables.h", "server/auth/keys",
+        "proto/types", "clients/command_line", "clients/cpp/calls", "clients/datasets", "proto"}},
   };
   return arrows;
 }
@@ -166,7 +166,7 @@ const std::map<std::string, std::vector<std::string>>& FrontHeaders() {
        {"map_mesh.h", "mesh.h", "mesh_sources.h", "mesh_stream.h", "object_meshes.h", "tile_surface.h"}},
       {"mapping/io", {"glb.h", "occupancy_image.h", "pcd.h", "ply.h"}},
       {"mapping/pipeline", {"map_builder.h", "refinement_slots.h"}},
-      {"storage", {"fleet.h", "postgres_store.h", "sqlite_store.h", "store.h"}},
+      {"storage", {"auth_tables.h", "fleet.h", "postgres_store.h", "sqlite_store.h", "store.h"}},
       {"server/net",
        {"address.h", "door.h", "frame_reader.h", "listening.h", "peer_identity.h", "refusal.h", "reserve_descriptor.h",
         "socket_names.h", "tls_context.h", "tls_watch.h"}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap_postgres_bench URL FOLDER [ROUNDS [MAPS]]: a PostgreSQL database against an SQLite file in that folder with a
-// full sync, in turns: commits of 50 tiles, of one map and of eight at once; reads; pages of a catalog of that many
-// maps. Not a test. postgres_bench.sh gives it a database of its own, alone and with two standbys.
+// dhpmap_postgres_bench URL FOLDER [ROUNDS]: a PostgreSQL database against an SQLite file in that folder with a full
+// sync, in turns: commits of 50 tiles, of one map and of eight at once; round trips; reads. Not a test.
+// tests/rig/fleet/table.py gives it a database of its own, alone and with two standbys.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -19,29 +19,16 @@
 #include "storage/postgres/connection.h"
 #include "storage/postgres_store.h"
 #include "storage/sqlite_store.h"
+#include "tests/unit/storage/bench_timing.h"
+#include "tests/unit/storage/blob_reads.h"
 #include "tests/unit/storage/map_fixtures.h"
 
 namespace dhpmap {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double TimeOf_ms(const std::function<void()>& work) {
-  const auto begin = Clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-double Quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
-}
-
-void Require(const Status& status) {
-  if (status.ok()) return;
-  std::fprintf(stderr, "%s\n", status.ToString().c_str());
-  std::exit(1);
-}
+using testing::Quantile;
+using testing::Require;
+using testing::TimeOf_ms;
 
 /// A map of a store, and how long its commits took.
 struct Writer {
@@ -216,29 +203,16 @@ void Reads(const Open& open_sqlite, const Open& open_postgres) {
               point_ms[1], point_ms[1] / point_ms[0], get_ms[0], get_ms[1], get_ms[1] / get_ms[0]);
 }
 
-void Catalog(const char* name, const Open& open, int num_maps) {
-  auto store = open(false);
-  testing::MapGenerator generator{7};
-  for (int n = 0; n < num_maps; ++n) {
-    Require(store->CreateMap(*Map(generator.Info(std::string("m").append(std::to_string(100'000 + n)))).Publish(1)));
-  }
-  store = nullptr;
-  const double start_ms = TimeOf_ms([&] { store = open(false); });
-  std::vector<double> pages_ms;
-  std::string after;
-  for (bool is_full = true; is_full;) {
-    pages_ms.push_back(TimeOf_ms([&] {
-      const auto page = store->ListMaps(after, 100);
-      Require(page.status());
-      is_full = page->size() == 100;
-      if (is_full) after = page->back().info.name;
-    }));
-  }
-  std::printf("%s: start with %d maps %.0f ms; a page of 100, p50 / p90 ms: %.2f / %.2f\n", name, num_maps, start_ms,
-              Quantile(pages_ms, .5), Quantile(pages_ms, .9));
+void Blobs(const std::string& url, const std::string& schema, const std::filesystem::path& file) {
+  const testing::BlobReads files = testing::ReadSqliteBlobs(file), tables = testing::ReadPostgresBlobs(url, schema);
+  const double by_key_us = files.one_by_one_us;
+  std::printf(
+      "a blob, us: SQLite by key %.1f; PostgreSQL by map %.1f: %.2f x, by 64 keys %.1f: %.2f x, by key %.1f: %.2f x\n",
+      by_key_us, tables.by_map_us, tables.by_map_us / by_key_us, tables.by_64_us, tables.by_64_us / by_key_us,
+      tables.one_by_one_us, tables.one_by_one_us / by_key_us);
 }
 
-int Run(const std::string& url, const std::filesystem::path& folder, int num_rounds, int num_maps) {
+int Run(const std::string& url, const std::filesystem::path& folder, int num_rounds) {
   const auto file = folder / ("bench-" + std::to_string(DrawHistoryId()) + ".db");
   const std::string schema = "bench_" + std::to_string(DrawHistoryId());
   const Open open_sqlite = [&file](bool pages_tiles) {
@@ -257,11 +231,9 @@ int Run(const std::string& url, const std::filesystem::path& folder, int num_rou
     Commits(*sqlite, *postgres, counters, num_rounds);
     EightMaps(*sqlite, *postgres, std::max(1, num_rounds / 4));
   }
+  std::printf("round trips a commit: %d\n", testing::CountTripsOfCommits(url, schema));
   Reads(open_sqlite, open_postgres);
-  if (num_maps > 0) {
-    Catalog("SQLite", open_sqlite, num_maps);
-    Catalog("PostgreSQL", open_postgres, num_maps);
-  }
+  Blobs(url, schema, file);
   for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + end);
   return 0;
 }
@@ -271,8 +243,8 @@ int Run(const std::string& url, const std::filesystem::path& folder, int num_rou
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fprintf(stderr, "usage: dhpmap_postgres_bench URL FOLDER [ROUNDS [MAPS]]\n");
+    std::fprintf(stderr, "usage: dhpmap_postgres_bench URL FOLDER [ROUNDS]\n");
     return 2;
   }
-  return dhpmap::Run(argv[1], argv[2], argc > 3 ? std::atoi(argv[3]) : 60, argc > 4 ? std::atoi(argv[4]) : 0);
+  return dhpmap::Run(argv[1], argv[2], argc > 3 ? std::atoi(argv[3]) : 60);
 }

@@ -77,7 +77,8 @@ class Arrivals {
 
 void Print(const char* what, std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * (values.size() - 1.0))]; };
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * last)]; };
   std::printf("%-28s p50 %6.1f  p99 %6.1f ms\n", what, at(.5), at(.99));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/auth/map_owners.h"
+#include "server/auth/map_owners_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -65,33 +65,33 @@ Status Append(int file, const std::string& text) {
 
 }  // namespace
 
-Result<std::unique_ptr<MapOwners>> MapOwners::Open(const std::string& path) {
-  if (path.empty()) return std::unique_ptr<MapOwners>(new MapOwners({}, -1, {}));
+Result<std::unique_ptr<MapOwnersFile>> MapOwnersFile::Open(const std::string& path) {
+  if (path.empty()) return std::unique_ptr<MapOwnersFile>(new MapOwnersFile({}, -1, {}));
   const int file = open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0600);
   if (file < 0) {
     return FailedPrecondition("the file of maps' owners " + path + " cannot be opened: " + std::strerror(errno))
         .WithReason("BAD_KEY_FILE");
   }
-  return std::unique_ptr<MapOwners>(new MapOwners(path, file, ReadAll(file)));
+  return std::unique_ptr<MapOwnersFile>(new MapOwnersFile(path, file, ReadAll(file)));
 }
 
-MapOwners::~MapOwners() {
+MapOwnersFile::~MapOwnersFile() {
   if (file_ >= 0) close(file_);
 }
 
-Status MapOwners::Add(std::uint64_t history_id, const std::string& principal) {
+Status MapOwnersFile::Add(std::uint64_t history_id, const std::string& principal) {
   const MutexLock lock(mutex_);
   owners_[history_id] = principal;
   return file_ < 0 ? Status::Ok() : Append(file_, LineOf(history_id, principal));
 }
 
-std::optional<std::string> MapOwners::OwnerOf(std::uint64_t history_id) const {
+Result<std::optional<std::string>> MapOwnersFile::OwnerOf(std::uint64_t history_id) const {
   const MutexLock lock(mutex_);
   const auto found = owners_.find(history_id);
   return found != owners_.end() ? std::optional(found->second) : std::nullopt;
 }
 
-Status MapOwners::Keep(const std::set<std::uint64_t>& history_ids) {
+Status MapOwnersFile::Keep(const std::set<std::uint64_t>& history_ids) {
   const MutexLock lock(mutex_);
   std::string text;
   std::erase_if(owners_, [&](const auto& owner) { return !history_ids.contains(owner.first); });
@@ -109,15 +109,18 @@ Status MapOwners::Keep(const std::set<std::uint64_t>& history_ids) {
   return Status::Ok();
 }
 
-std::size_t MapOwners::size() const {
+std::size_t MapOwnersFile::size() const {
   const MutexLock lock(mutex_);
   return owners_.size();
 }
 
-std::size_t MapOwners::NumOf(const std::string& principal) const {
+Result<std::set<std::uint64_t>> MapOwnersFile::MapsOf(const std::string& principal) const {
   const MutexLock lock(mutex_);
-  const auto num = std::count_if(owners_.begin(), owners_.end(), [&](const auto& o) { return o.second == principal; });
-  return static_cast<std::size_t>(num);
+  std::set<std::uint64_t> maps;
+  for (const auto& [history_id, owner] : owners_) {
+    if (owner == principal) maps.insert(history_id);
+  }
+  return maps;
 }
 
 }  // namespace dhpmap::auth

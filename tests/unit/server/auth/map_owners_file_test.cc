@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "server/auth/map_owners.h"
+#include "server/auth/map_owners_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -15,8 +15,8 @@ namespace {
 
 class MapOwnersTest : public ::testing::Test {
  protected:
-  [[nodiscard]] std::unique_ptr<MapOwners> Open() const {
-    auto owners = MapOwners::Open(path);
+  [[nodiscard]] std::unique_ptr<MapOwnersFile> Open() const {
+    auto owners = MapOwnersFile::Open(path);
     EXPECT_TRUE(owners.ok()) << owners.status().ToString();
     return *std::move(owners);
   }
@@ -28,9 +28,9 @@ TEST_F(MapOwnersTest, AreThereAfterARestart) {
   EXPECT_TRUE(Open()->Add(7, "anna").ok());
   EXPECT_TRUE(Open()->Add(UINT64_MAX, "b\"ert").ok());
   const auto owners = Open();
-  EXPECT_EQ(owners->OwnerOf(7), "anna");
-  EXPECT_EQ(owners->OwnerOf(UINT64_MAX), "b\"ert");
-  EXPECT_EQ(owners->OwnerOf(8), std::nullopt);
+  EXPECT_EQ(*owners->OwnerOf(7), "anna");
+  EXPECT_EQ(*owners->OwnerOf(UINT64_MAX), "b\"ert");
+  EXPECT_EQ(*owners->OwnerOf(8), std::nullopt);
   struct stat status {};
   ASSERT_EQ(stat(path.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 07777, 0600u);
@@ -43,8 +43,8 @@ TEST_F(MapOwnersTest, ALineThatIsCutOffOrNoneOfOursSpoilsNoOther) {
   EXPECT_TRUE(Open()->Add(8, "bert").ok());
   const auto owners = Open();
   EXPECT_EQ(owners->size(), 2u);
-  EXPECT_EQ(owners->OwnerOf(7), "anna");
-  EXPECT_EQ(owners->OwnerOf(8), "bert");
+  EXPECT_EQ(*owners->OwnerOf(7), "anna");
+  EXPECT_EQ(*owners->OwnerOf(8), "bert");
 }
 
 TEST_F(MapOwnersTest, ForgetMapsThatAreNoMore) {
@@ -59,13 +59,13 @@ TEST_F(MapOwnersTest, ForgetMapsThatAreNoMore) {
 }
 
 TEST_F(MapOwnersTest, SayWhatCannotBeWritten) {
-  const auto full = MapOwners::Open("/dev/full");
+  const auto full = MapOwnersFile::Open("/dev/full");
   ASSERT_TRUE(full.ok()) << full.status().ToString();
   EXPECT_EQ((*full)->Add(7, "anna").reason(), Reason("NOT_STORED"));
-  EXPECT_EQ((*full)->OwnerOf(7), "anna") << "and it counts";
+  EXPECT_EQ(*(*full)->OwnerOf(7), "anna") << "and it counts";
   std::filesystem::create_symlink(folder.path() / "elsewhere", path);
-  EXPECT_EQ(MapOwners::Open(path).status().reason(), Reason("BAD_KEY_FILE"));
-  const auto kept_nowhere = MapOwners::Open("");
+  EXPECT_EQ(MapOwnersFile::Open(path).status().reason(), Reason("BAD_KEY_FILE"));
+  const auto kept_nowhere = MapOwnersFile::Open("");
   ASSERT_TRUE(kept_nowhere.ok());
   EXPECT_TRUE((*kept_nowhere)->Add(7, "anna").ok());
 }
