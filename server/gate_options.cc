@@ -37,9 +37,18 @@ Result<std::shared_ptr<auth::Gate>> GateOnFile(const ServerConfig& config) {
   return auth::Gate::WithKeys(OptionsOf(config, file));
 }
 
+/// Beside servers of the last release, which keep the database from having the tables of keys.
+Result<std::shared_ptr<auth::Gate>> GateDuringUpgrade(const ServerConfig& config) {
+  DHPMAP_RETURN_IF_ERROR(CheckExposure(config, config.tls.is_on(), !KeyFileOf(config).empty()));
+  LogInfo("keys and audit log are files until the database is upgraded and this server starts again");
+  return GateOnFile(config);
+}
+
 /// Keys are those of the database if it has any, or else of the file that auth.keys names. Null without keys.
 Result<std::shared_ptr<auth::Gate>> GateOnDatabase(const ServerConfig& config, std::int64_t server) {
-  DHPMAP_ASSIGN_OR_RETURN(std::shared_ptr<AuthTables> tables, OpenAuthTables(config.db));
+  auto opened = OpenAuthTables(config.db);
+  if (opened.status().reason() == Reason("OLDER_SCHEMA")) return GateDuringUpgrade(config);
+  DHPMAP_ASSIGN_OR_RETURN(std::shared_ptr<AuthTables> tables, std::move(opened));
   DHPMAP_ASSIGN_OR_RETURN(const auth::KeyTableContent keys, auth::ReadKeyTable(*tables));
   const std::string file = KeyFileOf(config);
   if (!file.empty() && !keys.records.empty()) {

@@ -111,6 +111,7 @@ Status Serve(const ServerConfig& config, const Service& service) {
                  Metrics::Gauges gauges = GaugesOf(*registry, *inflight, *grpc, records.get(), spill.get());
                  gauges.is_insecure = IsInsecure(config);
                  gauges.num_audit_dropped = gate->num_audit_dropped();
+                 if (const Fleet* fleet = store->fleet()) gauges.fleet = FleetGaugesOf(*fleet, registry->followed());
                  return metrics.Text(gauges);
                },
            .gate = gate}));

@@ -203,6 +203,20 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
           .head_timeout_s = config.http.header_timeout_s};
 }
 
+Metrics::FleetGauges FleetGaugesOf(const Fleet& fleet, const FollowedMaps* followed) {
+  const FleetCounts counts = fleet.Counts();
+  const FollowingState following =
+      followed != nullptr ? followed->StateAt(FollowedMaps::Clock::now()) : FollowingState();
+  return {.num_owned = counts.num_owned,
+          .num_taken_over = counts.num_taken_over,
+          .num_lost = counts.num_lost,
+          .num_failed_beats = counts.num_failed_beats,
+          .num_copies = following.num_copies,
+          .copy_bytes = following.bytes,
+          .copies_behind_s = following.behind_s,
+          .schema = fleet.Schema().in_force};
+}
+
 Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const GrpcServer& grpc,
                          const RecordDir* records, const TileSpill* spill) {
   Metrics::Gauges gauges{.surface_bytes = registry.surface_bytes(),

@@ -52,6 +52,8 @@ GatewayOptions GatewayOptionsOf(const ServerConfig& config, std::shared_ptr<Byte
 /// Of the maps that are open now, and of what there is for those who ask. Visits every block, which takes milliseconds.
 Metrics::Gauges GaugesOf(const MapRegistry& registry, const ByteBudget& inflight, const GrpcServer& grpc,
                          const RecordDir* records, const TileSpill* spill);
+/// Of a server that shares its database with others; `followed`: its copies, may be null.
+Metrics::FleetGauges FleetGaugesOf(const Fleet& fleet, const FollowedMaps* followed);
 /// Whether a map has waited for its store for longer than that.
 bool IsStoreBehind(const MapRegistry& registry, double max_behind_s);
 

@@ -12,6 +12,13 @@
 
 namespace dhpmap {
 
+/// A process's copies of maps that others write, which follow their commits.
+struct FollowingState {
+  std::int64_t num_copies = 0;
+  std::int64_t bytes = 0;  ///< of memory
+  double behind_s = 0;     ///< since when a copy lacks a commit that its process knows of; 0: none does
+};
+
 /// A server process on a store that several processes share.
 struct FleetServer {
   std::int64_t id = 0;       ///< drawn at its start
@@ -20,7 +27,24 @@ struct FleetServer {
   bool is_alive = false;     ///< it has beaten within the lease, by the clock of who asks
   bool is_draining = false;  ///< it takes no more maps
   bool is_me = false;
-  std::int64_t num_maps = 0;  ///< that it owns
+  std::int64_t num_maps = 0;                     ///< that it owns
+  std::int64_t newest_schema = 0;                ///< of the store, that its version knows
+  std::optional<double> beat_age_s = {};         ///< since its last beat was seen; none: no beat is known of it
+  std::optional<FollowingState> following = {};  ///< without bytes, as of that beat; none: the schema is older
+};
+
+/// The schema of the shared store.
+struct FleetSchema {
+  std::int64_t in_force = 0;
+  std::int64_t newest = 0;  ///< that a living server knows; later than `in_force` during an upgrade
+};
+
+/// Of this process, since its start.
+struct FleetCounts {
+  std::int64_t num_owned = 0;         ///< maps, now
+  std::int64_t num_taken_over = 0;    ///< maps, from servers that had died
+  std::int64_t num_lost = 0;          ///< maps, to servers that held this one for dead
+  std::int64_t num_failed_beats = 0;  ///< the database did not answer, or refused
 };
 
 /// The one process that writes a map.
@@ -46,10 +70,17 @@ class Fleet {
 
   /// Where this process can be reached, once its door is open; until then other servers cannot send it anything.
   virtual void Announce(const std::string& address) { (void)address; }
-  /// This process, as the others see it.
+  /// This process, as the others see it, without FleetServer::following. Asks nobody.
   [[nodiscard]] virtual FleetServer Me() const = 0;
   /// All that are alive, and the dead that still own maps.
   virtual Result<std::vector<FleetServer>> ListServers() = 0;
+
+  /// Asks nobody.
+  [[nodiscard]] virtual FleetSchema Schema() const { return {}; }
+  /// Brings the store to the newest schema once every living server knows it; no effect if it is there. After that,
+  /// older servers do not start on this store. FAILED_PRECONDITION names the living servers that do not know it;
+  /// UNAVAILABLE, too, if a lock is not free in time: nothing is changed then.
+  virtual Result<FleetSchema> FinishUpgrade() { return Schema(); }
 
   /// Up to `max` maps by name, from the first after `after` on, with the owners that the database names, dead ones too.
   virtual Result<std::vector<OwnedMap>> ListOwners(const std::string& after, std::size_t max) = 0;
@@ -81,6 +112,11 @@ class Fleet {
   virtual void OnChange(std::function<void(const std::string& map, std::int64_t revision)> on_change) = 0;
   /// The maps whose commits by others are of interest; replaces the last set.
   virtual void SetFollowed(std::vector<std::string> maps) = 0;
+  /// `measure` is called with each beat, so that the other servers know: quick, on any thread. Before SetFollowed.
+  virtual void MeasureFollowing(std::function<FollowingState()> measure) { (void)measure; }
+
+  /// Asks nobody.
+  [[nodiscard]] virtual FleetCounts Counts() const { return {}; }
 };
 
 }  // namespace dhpmap

@@ -2,6 +2,7 @@
 #include "storage/postgres_store.h"
 
 #include <chrono>
+#include <thread>
 #include <utility>
 
 #include "mapping/map/history_id.h"
@@ -16,6 +17,7 @@
 #include "storage/postgres/fleet/fleet_member.h"
 #include "storage/postgres/fleet/peers.h"
 #include "storage/postgres/fleet/takeover.h"
+#include "storage/postgres/fleet/upgrade.h"
 #include "storage/postgres/following/later_state.h"
 #include "storage/postgres/history/change_reader.h"
 #include "storage/postgres/history/edit_reader.h"
@@ -44,16 +46,35 @@ postgres::ConnectionOptions ConnectionOptionsOf(const std::string& url, const Po
           .patience = std::chrono::milliseconds(static_cast<std::int64_t>(options.answer_s * 1000))};
 }
 
+std::vector<postgres::SchemaStep> StepsOf(const PostgresStoreOptions& options) {
+  std::vector<postgres::SchemaStep> steps = postgres::ReleasedSteps();
+  for (const std::string& sql : options.later_steps) steps.push_back({steps.back().number + 1, sql});
+  return steps;
+}
+
+postgres::SchemaOpening SchemaOpeningOf(const PostgresStoreOptions& options) {
+  return {
+      .schema = options.schema,
+      .pause =
+          options.fleet.await_beats
+              ? options.fleet.await_beats
+              : [lease_s =
+                     options.fleet.lease_s] { std::this_thread::sleep_for(std::chrono::duration<double>(lease_s)); },
+      .on_progress = options.on_progress};
+}
+
 class PostgresStore final : public MapStore {
  public:
-  PostgresStore(const postgres::ConnectionOptions& connection, const PostgresStoreOptions& options, std::int64_t server)
+  PostgresStore(const postgres::ConnectionOptions& connection, const PostgresStoreOptions& options, std::int64_t server,
+                std::unique_ptr<postgres::Schema> schema)
       : limits_{options.changes, options.edits, options.dead_grace_s},
+        schema_(std::move(schema)),
         connecting_(connection),
         pool_(connecting_, options.max_connections),
         peers_(server, options.fleet.lease_s, options.fleet.time_ns),
         maps_(pool_, peers_, options.passing_time_ns),
         writer_(pool_, maps_, limits_, connecting_.patience),
-        fleet_(pool_, peers_, maps_, connecting_),
+        fleet_(pool_, peers_, maps_, *schema_, connecting_),
         transit_(options.transit_folder),
         pages_(options.pages_tiles ? std::make_shared<postgres::PageReader>(connecting_, options.max_connections)
                                    : nullptr),
@@ -185,6 +206,7 @@ class PostgresStore final : public MapStore {
   }
 
   const postgres::KeepingLimits limits_;
+  const std::unique_ptr<postgres::Schema> schema_;
   const postgres::ConnectionOptions connecting_;
   postgres::Pool pool_;
   postgres::Peers peers_;
@@ -203,11 +225,12 @@ bool IsPostgresUrl(const std::string& db) { return db.starts_with("postgresql://
 Result<std::unique_ptr<MapStore>> OpenPostgresStore(const std::string& url, const PostgresStoreOptions& options) {
   const auto server = static_cast<std::int64_t>(DrawHistoryId());  // random, so that no two processes have the same
   const postgres::ConnectionOptions connecting = ConnectionOptionsOf(url, options, server);
+  auto schema = std::make_unique<postgres::Schema>(StepsOf(options));
   {
     DHPMAP_ASSIGN_OR_RETURN(Connection connection, Connection::Open(connecting));
-    DHPMAP_RETURN_IF_ERROR(postgres::PrepareSchema(connection, options.schema, options.on_progress));
+    DHPMAP_RETURN_IF_ERROR(postgres::OpenSchema(connection, *schema, SchemaOpeningOf(options)));
   }
-  auto store = std::make_unique<PostgresStore>(connecting, options, server);
+  auto store = std::make_unique<PostgresStore>(connecting, options, server, std::move(schema));
   DHPMAP_RETURN_IF_ERROR(store->Start(options.fleet));
   return std::unique_ptr<MapStore>(std::move(store));
 }

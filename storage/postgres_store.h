@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "storage/store.h"
 
@@ -18,6 +19,8 @@ struct FleetOptions {
   double lease_s = 2;
   bool beats_by_itself = true;                 ///< false: for tests, which call FleetMember::Beat
   std::function<std::int64_t()> time_ns = {};  ///< of leases; empty: std::chrono::steady_clock
+  /// At a start on an older schema: waits until every living process has beaten. Empty: for lease_s.
+  std::function<void()> await_beats = {};
 };
 
 struct PostgresStoreOptions {
@@ -38,11 +41,14 @@ struct PostgresStoreOptions {
   /// Clock of the ages of kept data, in ns; empty: std::chrono::steady_clock.
   std::function<std::int64_t()> passing_time_ns = {};
   FleetOptions fleet = {};
+  /// For tests: SQL of the schema's next steps, as a later version has them.
+  std::vector<std::string> later_steps = {};
 };
 
 /// Opens or creates a store in a PostgreSQL database (14 or later). `url`: postgresql://..., as libpq takes it; it is
 /// in no message. UNAVAILABLE if the database does not answer; FAILED_PRECONDITION, reason NEWER_SCHEMA, or without
-/// rights.
+/// rights. An older schema is brought up to date if no other process lives on it; else this one works on that of the
+/// release before, until Fleet::FinishUpgrade, and FAILED_PRECONDITION if it is older still.
 ///
 /// Any number of processes for each database; MapStore::fleet() tells who owns which map. Who loads or writes a map
 /// takes it, if no living process has it: else UNAVAILABLE, reason NOT_OWNER, with the address in the metadata as

@@ -26,6 +26,19 @@ v1::FleetServer ToProto(const FleetServer& server) {
   proto.set_draining(server.is_draining);
   proto.set_answering(server.is_me);
   proto.set_num_maps(server.num_maps);
+  proto.set_newest_schema(server.newest_schema);
+  if (server.beat_age_s) proto.set_beat_age_s(*server.beat_age_s);
+  if (server.following) {
+    proto.set_num_copies(server.following->num_copies);
+    proto.set_copies_behind_s(server.following->behind_s);
+  }
+  return proto;
+}
+
+v1::FleetSchema ToProto(const FleetSchema& schema) {
+  v1::FleetSchema proto;
+  proto.set_in_force(schema.in_force);
+  proto.set_newest(schema.newest);
   return proto;
 }
 
@@ -60,7 +73,7 @@ Result<FleetServer> FindServer(Fleet& fleet, const std::string& text) {
 class FleetService final : public CountedService<v1::FleetService> {
  public:
   explicit FleetService(const ServiceContext& context) : CountedService(context), context_(context) {
-    Take(&FleetService::GetFleet, &FleetService::ListMapOwners, &FleetService::MoveMap);
+    Take(&FleetService::GetFleet, &FleetService::FinishUpgrade, &FleetService::ListMapOwners, &FleetService::MoveMap);
   }
 
   // Each asks the database, as maps that are loaded do.
@@ -69,6 +82,16 @@ class FleetService final : public CountedService<v1::FleetService> {
     return Answer({"FleetService/GetFleet", request, response}, [=](Fleet& fleet) -> Status {
       DHPMAP_ASSIGN_OR_RETURN(const auto servers, fleet.ListServers());
       for (const FleetServer& server : servers) *response->add_servers() = ToProto(server);
+      *response->mutable_schema() = ToProto(fleet.Schema());
+      return Status::Ok();
+    });
+  }
+
+  grpc::ServerUnaryReactor* FinishUpgrade(grpc::CallbackServerContext*, const v1::FinishUpgradeRequest* request,
+                                          v1::FinishUpgradeResponse* response) override {
+    return Answer({"FleetService/FinishUpgrade", request, response}, [=](Fleet& fleet) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const FleetSchema schema, fleet.FinishUpgrade());
+      *response->mutable_schema() = ToProto(schema);
       return Status::Ok();
     });
   }

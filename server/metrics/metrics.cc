@@ -117,6 +117,24 @@ std::vector<ValueOfKind> MemoryByKind(const Metrics::Gauges& gauges, const std::
   return values;
 }
 
+void AddFleet(const Metrics::FleetGauges& fleet, std::vector<prometheus::MetricFamily>& families) {
+  const auto gauge = [&](const char* name, const char* help, auto value) {
+    families.push_back(Gauge(name, help, static_cast<double>(value)));
+  };
+  const auto counter = [&](const char* name, const char* help, std::int64_t value) {
+    families.push_back(CounterOf(name, help, static_cast<double>(value)));
+  };
+  gauge("dhpmap_fleet_maps", "Maps that this server owns", fleet.num_owned);
+  counter("dhpmap_fleet_takeovers_total", "Maps taken over from servers that had died", fleet.num_taken_over);
+  counter("dhpmap_fleet_lost_maps_total", "Maps that another server has taken over from this one", fleet.num_lost);
+  counter("dhpmap_fleet_failed_beats_total", "Beats that the database did not take", fleet.num_failed_beats);
+  gauge("dhpmap_fleet_copies", "Copies of maps that other servers own", fleet.num_copies);
+  gauge("dhpmap_fleet_copy_memory_bytes", "Memory of these copies", fleet.copy_bytes);
+  gauge("dhpmap_fleet_copies_behind_seconds", "For how long a copy has lacked a commit that the server knows of",
+        fleet.copies_behind_s);
+  gauge("dhpmap_fleet_schema", "Schema of the database", fleet.schema);
+}
+
 /// A value of /proc/self/status, such as "RssAnon" in kB; 0 if it is missing.
 double ProcessStatus(const std::string& key) {
   std::ifstream in("/proc/self/status");
@@ -232,6 +250,7 @@ std::string Metrics::Text(const Gauges& gauges) const {
   families.push_back(
       CounterOf("dhpmap_pages_unspilled_total", "Tries to leave one there that failed", gauges.num_unspilled));
   families.push_back(Gauge("dhpmap_spill_bytes", "Size of that file", static_cast<double>(gauges.spill_bytes)));
+  if (gauges.fleet) AddFleet(*gauges.fleet, families);
   constexpr double kKiB = 1024;
   families.push_back(
       Gauge("process_resident_memory_bytes", "Memory of the process that is in RAM", kKiB * ProcessStatus("VmRSS")));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,21 @@ class Metrics {
     double behind_s = 0;
     std::int64_t block_bytes = 0;  ///< part of memory_bytes: blocks, as counted by MemoryKind::kBlocks
   };
+  /// Of a server that shares its database with others: its part in the fleet.
+  struct FleetGauges {
+    std::int64_t num_owned = 0;         ///< maps
+    std::int64_t num_taken_over = 0;    ///< maps, since the start, from servers that had died
+    std::int64_t num_lost = 0;          ///< maps, since the start, to servers that held this one for dead
+    std::int64_t num_failed_beats = 0;  ///< since the start
+    std::int64_t num_copies = 0;        ///< of maps that other servers own
+    std::int64_t copy_bytes = 0;        ///< memory of the copies
+    double copies_behind_s = 0;         ///< since when a copy lacks a known commit
+    std::int64_t schema = 0;            ///< of the database
+  };
   /// Values at the time of reading.
   struct Gauges {
     std::vector<MapGauges> maps;
+    std::optional<FleetGauges> fleet = {};
     std::size_t surface_bytes = 0;  ///< of all surfaces cached for queries
     std::size_t num_watchers = 0;
     std::size_t inflight_bytes = 0;  ///< of requests, answers, and pinned states that only they need
@@ -61,8 +74,10 @@ class Metrics {
 
   /// All metrics: dhpmap_map_{submaps,blocks,revision,memory_bytes,feeds} of the given maps, dhpmap_insecure,
   /// dhpmap_surface_memory_bytes, dhpmap_watchers, dhpmap_inflight_bytes, dhpmap_record_bytes,
-  /// dhpmap_page_memory_bytes, dhpmap_pages_{read,unreadable,let_go}_total, dhpmap_audit_dropped_total, and of the
-  /// process: process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
+  /// dhpmap_page_memory_bytes, dhpmap_pages_{read,unreadable,let_go}_total, dhpmap_audit_dropped_total; in a fleet
+  /// dhpmap_fleet_maps, dhpmap_fleet_{takeovers,lost_maps,failed_beats}_total, dhpmap_fleet_copies,
+  /// dhpmap_fleet_copy_memory_bytes, dhpmap_fleet_copies_behind_seconds and dhpmap_fleet_schema; and of the process:
+  /// process_resident_memory_bytes, dhpmap_anonymous_memory_bytes, process_threads.
   ///
   /// The kernel reports the latter. The program itself counts dhpmap_scratch_bytes and dhpmap_scratch_peak_bytes
   /// (maximum since the start) of kind "refinement", "meshing" and "fusion", and dhpmap_memory_bytes. The latter counts

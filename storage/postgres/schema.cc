@@ -5,40 +5,52 @@ namespace dhpmap::postgres {
 namespace {
 
 constexpr char kSchemaTask[] = "bring the database up to date";
-const std::string kReadVersion = "SELECT coalesce(max(step), 0) FROM schema_steps";
+const std::string kReadStep = "SELECT coalesce(max(step), 0) FROM schema_steps";
 
-Result<std::int64_t> ReadVersion(Connection& connection) {
-  DHPMAP_ASSIGN_OR_RETURN(Answer version, connection.Query({&kReadVersion}, kSchemaTask));
-  return version.Next() ? version.Int() : 0;
+Result<std::int64_t> ReadStep(Connection& connection) {
+  DHPMAP_ASSIGN_OR_RETURN(Answer step, connection.Query({&kReadStep}, kSchemaTask));
+  return step.Next() ? step.Int() : 0;
 }
 
 }  // namespace
 
-Status PrepareSchema(Connection& connection, const std::string& schema,
-                     const std::function<void(const std::string& message)>& on_progress) {
-  // Of servers that start at once one makes each step, and the others fail at it and find it made.
+void Schema::Raise(std::int64_t step) {
+  std::int64_t before = in_force_;
+  while (before < step && !in_force_.compare_exchange_weak(before, step)) {
+  }
+}
+
+Status NewerSchema(std::int64_t in_force, std::int64_t newest) {
+  return FailedPrecondition("the database is of schema " + std::to_string(in_force) + ", this version knows up to " +
+                            std::to_string(newest) + ": start a newer version")
+      .WithReason("NEWER_SCHEMA");
+}
+
+Result<std::int64_t> ReadSchema(Connection& connection, const std::string& schema) {
+  // Of servers that start at once one makes it, and the others fail at it and find it made.
   const std::string begin =
       "CREATE SCHEMA IF NOT EXISTS " + schema + "; CREATE TABLE IF NOT EXISTS schema_steps (step bigint PRIMARY KEY)";
   if (!connection.Execute(begin, kSchemaTask).ok()) DHPMAP_RETURN_IF_ERROR(connection.Execute(begin, kSchemaTask));
-  DHPMAP_ASSIGN_OR_RETURN(std::int64_t done, ReadVersion(connection));
-  const auto texts = SchemaTexts();
-  const auto newest = static_cast<std::int64_t>(texts.size());
-  if (done > newest) {
-    return FailedPrecondition("the database is of schema " + std::to_string(done) + ", this version knows up to " +
-                              std::to_string(newest))
-        .WithReason("NEWER_SCHEMA");
+  return ReadStep(connection);
+}
+
+Status MakeSteps(Connection& connection, const Schema& schema, std::int64_t from, const std::string& check) {
+  // The first statement waits for a process that makes the same steps. From then on no lock is waited for longer than
+  // the servers' beats may wait behind it.
+  std::string numbers, texts;
+  for (const SchemaStep& step : schema.steps()) {
+    if (step.number <= from) continue;
+    numbers += (numbers.empty() ? "(" : ", (") + std::to_string(step.number) + ")";
+    texts += step.sql + ";\n";
   }
-  while (done < newest) {
-    const std::string text = texts[static_cast<std::size_t>(done++)];
-    if (on_progress) on_progress("bringing the database to schema " + std::to_string(done));
-    // One text is one transaction.
-    Status made = connection.Execute(text + "; INSERT INTO schema_steps (step) VALUES (" + std::to_string(done) + ")",
-                                     kSchemaTask);
-    if (made.ok()) continue;
-    DHPMAP_ASSIGN_OR_RETURN(const std::int64_t present, ReadVersion(connection));
-    if (present < done) return made;
-  }
-  return Status::Ok();
+  if (numbers.empty()) return Status::Ok();
+  // One text is one transaction.
+  const std::string text = "INSERT INTO schema_steps (step) VALUES " + numbers +
+                           "; SELECT set_config('lock_timeout', '1000', true);\n" + texts + check;
+  Status made = connection.Execute(text, kSchemaTask);
+  if (made.ok()) return made;
+  DHPMAP_ASSIGN_OR_RETURN(const std::int64_t present, ReadStep(connection));
+  return present >= schema.newest() ? Status::Ok() : made;
 }
 
 }  // namespace dhpmap::postgres

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// dhpmap fleet status|move: servers on one database, and who owns which map.
+// dhpmap fleet status|move|upgrade: servers on one database, and who owns which map.
 #include <CLI/CLI.hpp>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -20,13 +22,31 @@ std::string StateOf(const v1::FleetServer& server) {
   return server.draining() ? "draining" : "alive";
 }
 
+std::string Seconds(bool is_known, double seconds) {
+  if (!is_known) return "-";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << seconds << " s";
+  return text.str();
+}
+
+void PrintSchema(const v1::FleetSchema& schema) {
+  std::cout << "The database is at schema " << schema.in_force();
+  if (schema.newest() > schema.in_force()) {
+    std::cout << "; `dhpmap fleet upgrade finish` brings it to " << schema.newest() << " once all servers know that";
+  }
+  std::cout << ".\n";
+}
+
 void PrintServers(const v1::GetFleetResponse& fleet) {
-  TextTable table({"SERVER", "ADDRESS", "VERSION", "STATE", "MAPS", "ASKED"});
+  TextTable table({"SERVER", "ADDRESS", "VERSION", "SCHEMA", "STATE", "BEAT", "MAPS", "COPIES", "BEHIND", "ASKED"});
   for (const v1::FleetServer& server : fleet.servers()) {
-    table.Add({server.name(), server.address(), server.version(), StateOf(server), std::to_string(server.num_maps()),
-               server.answering() ? "this" : ""});
+    table.Add({server.name(), server.address(), server.version(), std::to_string(server.newest_schema()),
+               StateOf(server), Seconds(server.has_beat_age_s(), server.beat_age_s()),
+               std::to_string(server.num_maps()), server.has_num_copies() ? std::to_string(server.num_copies()) : "-",
+               Seconds(server.has_copies_behind_s(), server.copies_behind_s()), server.answering() ? "this" : ""});
   }
   table.Print(std::cout);
+  PrintSchema(fleet.schema());
 }
 
 void PrintOwners(const v1::ListMapOwnersResponse& maps) {
@@ -57,6 +77,11 @@ ExitCode RunMove(const Session& session, const std::string& map, const std::stri
   });
 }
 
+ExitCode RunFinishUpgrade(const Session& session) {
+  return Tell(session, Ask(session, &FleetStub::FinishUpgrade, v1::FinishUpgradeRequest()),
+              [](const v1::FinishUpgradeResponse& finished) { PrintSchema(finished.schema()); });
+}
+
 }  // namespace
 
 void AddFleetCommands(CLI::App& app, Session& session) {
@@ -74,6 +99,11 @@ void AddFleetCommands(CLI::App& app, Session& session) {
   move->add_option("map", options->map, "Name of the map")->required();
   move->add_option("server", options->server, "Address or id of the server, as of `fleet status`")->required();
   move->callback([options, &session] { session.exit_code = RunMove(session, options->map, options->server); });
+  CLI::App* upgrade = fleet->add_subcommand("upgrade", "Servers of a newer version, which came one by one");
+  upgrade->require_subcommand(1);
+  CLI::App* finish = upgrade->add_subcommand(
+      "finish", "Bring the database to the newest schema; older servers do not start on it after that");
+  finish->callback([&session] { session.exit_code = RunFinishUpgrade(session); });
 }
 
 }  // namespace dhpmap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/app/follow/followed_maps.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "server/app/states/state_bytes.h"
@@ -35,6 +36,10 @@ FollowedMaps::FollowedMaps(MapStore& store, Fleet& fleet, FollowOptions options)
   fleet_.OnChange([listener = listener_](const std::string& map, std::int64_t) {
     const MutexLock lock(listener->mutex);
     if (listener->maps != nullptr) listener->maps->OnCommit(map);
+  });
+  fleet_.MeasureFollowing([listener = listener_] {
+    const MutexLock lock(listener->mutex);
+    return listener->maps != nullptr ? listener->maps->StateAt(Clock::now()) : FollowingState();
   });
   thread_ = std::thread([this] { Loop(); });
 }
@@ -184,6 +189,17 @@ FollowedMaps::View FollowedMaps::Find(const std::string& name) const {
 std::size_t FollowedMaps::num_maps() const {
   const MutexLock lock(mutex_);
   return copies_.size();
+}
+
+FollowingState FollowedMaps::StateAt(Clock::time_point now) const {
+  const MutexLock lock(mutex_);
+  FollowingState state{.num_copies = static_cast<std::int64_t>(copies_.size()),
+                       .bytes = static_cast<std::int64_t>(bytes())};
+  for (const auto& entry : copies_) {
+    const auto& since = entry.second->behind_since;
+    if (since) state.behind_s = std::max(state.behind_s, std::chrono::duration<double>(now - *since).count());
+  }
+  return state;
 }
 
 }  // namespace dhpmap

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -35,7 +36,7 @@ class FollowedMaps {
   using View = std::shared_ptr<const MapView>;
   using Clock = std::chrono::steady_clock;
 
-  /// Both outlive it, or Stop(). Nobody else calls `fleet`'s OnChange and SetFollowed.
+  /// Both outlive it, or Stop(). Nobody else calls `fleet`'s OnChange, MeasureFollowing and SetFollowed.
   FollowedMaps(MapStore& store, Fleet& fleet, FollowOptions options);
   /// Stop().
   ~FollowedMaps();
@@ -62,6 +63,8 @@ class FollowedMaps {
   [[nodiscard]] std::size_t num_maps() const DHPMAP_EXCLUDES(mutex_);
   /// Memory of the copies.
   [[nodiscard]] std::size_t bytes() const { return budget_.used_bytes(); }
+  /// As of `now`. A copy whose first state is still being read is not behind.
+  [[nodiscard]] FollowingState StateAt(Clock::time_point now) const DHPMAP_EXCLUDES(mutex_);
 
  private:
   struct Copy {
@@ -71,6 +74,9 @@ class FollowedMaps {
     ByteShare share DHPMAP_GUARDED_BY(busy);
     View view DHPMAP_GUARDED_BY(&FollowedMaps::mutex_);  ///< null: not read yet
     bool is_behind DHPMAP_GUARDED_BY(&FollowedMaps::mutex_) = false;
+    /// When the oldest known commit that the view lacks was noticed; and the oldest since the last read began.
+    std::optional<Clock::time_point> behind_since DHPMAP_GUARDED_BY(&FollowedMaps::mutex_), unread_since
+        DHPMAP_GUARDED_BY(&FollowedMaps::mutex_);
     bool is_dropped DHPMAP_GUARDED_BY(&FollowedMaps::mutex_) = false;
     Clock::time_point last_used DHPMAP_GUARDED_BY(&FollowedMaps::mutex_);
     Clock::time_point look_at DHPMAP_GUARDED_BY(&FollowedMaps::mutex_);

@@ -21,7 +21,10 @@ void FollowedMaps::OnCommit(const std::string& name) {
   const MutexLock lock(mutex_);
   const auto found = copies_.find(name);
   if (found == copies_.end()) return;
-  found->second->is_behind = true;
+  Copy& copy = *found->second;
+  copy.is_behind = true;
+  if (copy.view != nullptr && !copy.unread_since) copy.unread_since = Clock::now();
+  if (!copy.behind_since) copy.behind_since = copy.unread_since;
   wake_.NotifyOne();
 }
 
@@ -91,12 +94,16 @@ std::vector<std::pair<std::string, FollowedMaps::CopyPtr>> FollowedMaps::TakeDue
 void FollowedMaps::GoOn(const std::string& name, Copy& copy) {
   const auto gone_on = Guarded<Status>([&]() -> Status {
     const MutexLock busy(copy.busy);
+    {
+      const MutexLock lock(mutex_);
+      copy.unread_since.reset();  // what is committed by now is read
+    }
     return GoOnFrom(copy);
   });
-  if (gone_on.ok()) return;
-  if (gone_on.code() != StatusCode::kUnavailable) return DropCopy(name, copy);
+  if (!gone_on.ok() && gone_on.code() != StatusCode::kUnavailable) return DropCopy(name, copy);
   const MutexLock lock(mutex_);
-  copy.look_at = Clock::now() + kTryAgain;
+  if (gone_on.ok()) copy.behind_since = copy.unread_since;
+  else copy.look_at = Clock::now() + kTryAgain;
 }
 
 Status FollowedMaps::GoOnFrom(Copy& copy) {

@@ -8,6 +8,7 @@
 #include "storage/postgres/auth/audit_rows.h"
 #include "storage/postgres/auth/key_rows.h"
 #include "storage/postgres/auth/maker_rows.h"
+#include "storage/postgres/fleet/upgrade.h"
 #include "storage/postgres/pool.h"
 #include "storage/postgres/schema.h"
 
@@ -80,16 +81,21 @@ class PostgresAuthTables final : public AuthTables {
   std::atomic<std::int64_t> num_appends_ = 0, num_makers_ = 0;
 };
 
-/// An existing store is left to its servers: they may not know a later schema yet.
+/// Makes the tables of an empty database. An existing store is upgraded by its servers alone: older ones may use it.
 Status PrepareAuthTables(Connection& connection, const std::string& schema) {
   DHPMAP_ASSIGN_OR_RETURN(Answer tables, connection.Query({&kWhichAuthTables}, kOpenAuthTask));
   if (!tables.Next()) return Internal("the database does not say which tables it has");
   const bool has_ours = tables.Int() != 0, has_any = tables.Int() != 0;
   if (has_ours) return Status::Ok();
-  if (!has_any) return postgres::PrepareSchema(connection, schema, {});
-  return FailedPrecondition(
-             "the database has no tables of keys yet: a server of this version makes them when it starts")
-      .WithReason("OLDER_SCHEMA");
+  if (has_any) {
+    return FailedPrecondition(
+               "the database has no tables of keys yet: a server of this version makes them when it starts alone, or "
+               "`dhpmap fleet upgrade finish` does")
+        .WithReason("OLDER_SCHEMA");
+  }
+  postgres::Schema made(postgres::ReleasedSteps());
+  DHPMAP_RETURN_IF_ERROR(postgres::ReadSchema(connection, schema).status());  // makes the schema
+  return postgres::Upgrade(connection, made, {});
 }
 
 }  // namespace

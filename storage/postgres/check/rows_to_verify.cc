@@ -11,7 +11,7 @@ namespace dhpmap::postgres {
 namespace {
 
 constexpr char kVerifyTask[] = "verify the map";
-const std::string kTilesOfOwner =
+const std::string kOwnersTiles =
     "SELECT t.x, t.y, t.z, t.layer, t.blob_key, b.blob_key IS NULL, coalesce(b.num_blocks, 0), t.cells, t.extent, "
     "coalesce(b.blob, '') FROM tiles t LEFT JOIN tile_blobs b ON b.map_key = t.map_key AND b.blob_key = t.blob_key "
     "WHERE "
@@ -102,7 +102,7 @@ Result<std::vector<SubmapRow>> RowsToVerify::ReadSubmapRows(std::vector<SubmapRo
 std::int64_t RowsToVerify::OwnerOfMapTiles() const { return kMapsOwner; }
 
 Status RowsToVerify::ForEachTile(std::int64_t owner_key, const VisitTile& visit) {
-  Call call{&kTilesOfOwner};
+  Call call{&kOwnersTiles};
   call.values.Add(map_.head.row.key).Add(owner_key);
   return connection_.Stream(call, kVerifyTask, [&visit](Answer& answer) { return visit(TileToVerify(answer)); });
 }

@@ -22,10 +22,12 @@ ConnectionOptions ForBeats(ConnectionOptions options, std::int64_t lease_ns) {
 
 }  // namespace
 
-FleetMember::FleetMember(Pool& pool, Peers& peers, MapOwnership& maps, ConnectionOptions connection)
+FleetMember::FleetMember(Pool& pool, Peers& peers, MapOwnership& maps, postgres::Schema& schema,
+                         ConnectionOptions connection)
     : pool_(pool),
       peers_(peers),
       maps_(maps),
+      schema_(schema),
       options_(ForBeats(std::move(connection), peers.lease_ns())),
       period_(peers.lease_ns() / kBeatsALease) {}
 
@@ -55,7 +57,12 @@ FleetMember::~FleetMember() {
 
 ServerRow FleetMember::OwnRow() const {
   const MutexLock lock(mutex_);
-  return {.server = peers_.me(), .beat = 0, .address = address_, .version = version_, .is_draining = is_draining_};
+  return {.server = peers_.me(),
+          .beat = 0,
+          .address = address_,
+          .version = version_,
+          .is_draining = is_draining_,
+          .knows_schema = schema_.newest()};
 }
 
 Result<Connection*> FleetMember::Connected() {
@@ -69,12 +76,21 @@ Result<Connection*> FleetMember::Connected() {
 }
 
 Status FleetMember::Beat() {
+  Status beaten = Guarded<Status>([this] { return BeatOnce(); });
+  const MutexLock lock(mutex_);
+  if (!beaten.ok()) ++num_failed_beats_;
+  return beaten;
+}
+
+Status FleetMember::BeatOnce() {
+  const std::optional<FollowingState> following = Following();
   const MutexLock lock(connection_mutex_);
   const std::int64_t sent_ns = peers_.Now_ns();
   DHPMAP_ASSIGN_OR_RETURN(Connection* const connection, Connected());
-  DHPMAP_ASSIGN_OR_RETURN(const std::vector<ServerRow> rows, WriteBeat(*connection, OwnRow()));
+  DHPMAP_ASSIGN_OR_RETURN(const BeatAnswer answer, WriteBeat(*connection, OwnRow(), following));
+  schema_.Raise(answer.schema);
   if (peers_.ComesLate(sent_ns)) DHPMAP_RETURN_IF_ERROR(LookThroughMaps());
-  peers_.OnBeaten(sent_ns, rows);
+  peers_.OnBeaten(sent_ns, answer.rows);
   if (++num_beats_ % kBeatsUntilTidied != 0) return Status::Ok();
   const std::vector<std::int64_t> dead = peers_.LongDead();
   return dead.empty() ? Status::Ok() : ForgetServers(*connection, dead);
@@ -112,7 +128,7 @@ void FleetMember::Loop() {
     }
     if (Clock::now() >= next_beat) {
       next_beat = Clock::now() + period_;
-      if (Guarded<Status>([this] { return Beat(); }).ok()) maps_.OnBeaten();
+      if (Beat().ok()) maps_.OnBeaten();
     }
     if (is_followed) (void)Guarded<Status>([this] { return LookAtFollowed(); });
   }

@@ -11,6 +11,11 @@ constexpr std::size_t kMostOthers = 100'000;
 
 bool IsAlive(Peers::Verdict verdict) { return verdict != Peers::Verdict::kDead; }
 
+std::optional<double> BeatAge_s(const Peers::Opinion& opinion) {
+  if (opinion.beat == Peers::kNoRow) return std::nullopt;
+  return static_cast<double>(opinion.age_ns) * 1e-9;
+}
+
 }  // namespace
 
 FleetServer FleetMember::Me() const {
@@ -21,25 +26,32 @@ FleetServer FleetMember::Me() const {
           .is_alive = true,
           .is_draining = row.is_draining,
           .is_me = true,
-          .num_maps = maps_.num_maps()};
+          .num_maps = maps_.counts().num_owned,
+          .newest_schema = row.knows_schema,
+          .beat_age_s = BeatAge_s(peers_.OpinionOf(row.server))};
 }
 
 FleetServer FleetMember::Describe(const ServerWithMaps& server) {
   const ServerRow& row = server.row;
   const bool is_me = row.server == peers_.me();
+  const Peers::Opinion opinion = peers_.OpinionOf(row.server);
   return {.id = row.server,
           .address = row.address,
           .version = row.version,
-          .is_alive = is_me || (row.beat != Peers::kNoRow && IsAlive(peers_.OpinionOf(row.server).verdict)),
+          .is_alive = is_me || (row.beat != Peers::kNoRow && IsAlive(opinion.verdict)),
           .is_draining = row.is_draining,
           .is_me = is_me,
-          .num_maps = server.num_maps};
+          .num_maps = server.num_maps,
+          .newest_schema = row.knows_schema,
+          .beat_age_s = BeatAge_s(opinion),
+          .following = server.following};
 }
 
 Result<std::vector<FleetServer>> FleetMember::ListServers() {
-  DHPMAP_ASSIGN_OR_RETURN(
-      const std::vector<ServerWithMaps> rows,
-      pool_.Read<std::vector<ServerWithMaps>>([](Connection& connection) { return ReadServers(connection); }));
+  DHPMAP_ASSIGN_OR_RETURN(const std::vector<ServerWithMaps> rows,
+                          pool_.Read<std::vector<ServerWithMaps>>([this](Connection& connection) {
+                            return ReadServers(connection, schema_.Has(kFollowingStep));
+                          }));
   std::vector<FleetServer> servers;
   for (const ServerWithMaps& row : rows) {
     FleetServer server = Describe(row);

@@ -17,6 +17,7 @@
 #include "storage/postgres/fleet/peers.h"
 #include "storage/postgres/owners/map_ownership.h"
 #include "storage/postgres/pool.h"
+#include "storage/postgres/schema.h"
 
 namespace dhpmap::postgres {
 
@@ -25,7 +26,7 @@ namespace dhpmap::postgres {
 class FleetMember final : public Fleet {
  public:
   /// All outlive it. Begins with Start.
-  FleetMember(Pool& pool, Peers& peers, MapOwnership& maps, ConnectionOptions connection);
+  FleetMember(Pool& pool, Peers& peers, MapOwnership& maps, postgres::Schema& schema, ConnectionOptions connection);
   /// Gives all maps up and leaves, if the database answers within seconds.
   ~FleetMember() override;
   FleetMember(const FleetMember&) = delete;
@@ -39,6 +40,8 @@ class FleetMember final : public Fleet {
 
   [[nodiscard]] FleetServer Me() const override;
   Result<std::vector<FleetServer>> ListServers() override;
+  [[nodiscard]] FleetSchema Schema() const override;
+  Result<FleetSchema> FinishUpgrade() override;
   Result<std::vector<dhpmap::OwnedMap>> ListOwners(const std::string& after, std::size_t max) override;
   [[nodiscard]] std::optional<MapOwner> KnownOwner(const std::string& map) const override;
   Result<MapOwner> OwnerOf(const std::string& map) override;
@@ -50,6 +53,8 @@ class FleetMember final : public Fleet {
   void OnLost(std::function<void(const std::string& map)> on_lost) override { maps_.OnLost(std::move(on_lost)); }
   void OnChange(std::function<void(const std::string& map, std::int64_t revision)> on_change) override;
   void SetFollowed(std::vector<std::string> maps) override;
+  void MeasureFollowing(std::function<FollowingState()> measure) override;
+  [[nodiscard]] FleetCounts Counts() const override;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -58,6 +63,9 @@ class FleetMember final : public Fleet {
   void Loop() DHPMAP_EXCLUDES(mutex_);
   void WakeNow() DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] ServerRow OwnRow() const DHPMAP_EXCLUDES(mutex_);
+  /// What this process says about its copies; none if the schema has no place for it.
+  [[nodiscard]] std::optional<FollowingState> Following() const DHPMAP_EXCLUDES(mutex_);
+  Status BeatOnce() DHPMAP_EXCLUDES(connection_mutex_, mutex_);
   /// Connects if necessary.
   Result<Connection*> Connected() DHPMAP_REQUIRES(connection_mutex_);
   /// Which of our maps others have taken while we were silent.
@@ -67,6 +75,7 @@ class FleetMember final : public Fleet {
   Pool& pool_;
   Peers& peers_;
   MapOwnership& maps_;
+  postgres::Schema& schema_;
   const ConnectionOptions options_;
   const std::chrono::nanoseconds period_;
 
@@ -82,6 +91,8 @@ class FleetMember final : public Fleet {
   bool is_beat_due_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::vector<std::string> followed_ DHPMAP_GUARDED_BY(mutex_);
+  std::int64_t num_failed_beats_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::function<FollowingState()> measure_ DHPMAP_GUARDED_BY(mutex_);
   std::map<std::string, MapOwner> others_ DHPMAP_GUARDED_BY(mutex_);  ///< owners of maps that are not ours; bounded
   std::function<void(const std::string&, std::int64_t)> on_change_;   ///< constant after the first SetFollowed
   std::thread thread_;                                                // last

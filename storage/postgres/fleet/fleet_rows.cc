@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storage/postgres/fleet/fleet_rows.h"
 
+#include <cmath>
 #include <utility>
 
 namespace dhpmap::postgres {
@@ -11,16 +12,19 @@ constexpr char kServersTask[] = "list the servers";
 constexpr char kGiveTask[] = "give a map to another server";
 constexpr char kFollowTask[] = "look for new commits";
 const std::string kBeat =
-    "INSERT INTO servers (server, beat, address, version, is_draining) VALUES ($1, 1, $2, $3, $4) ON CONFLICT (server) "
-    "DO UPDATE SET beat = servers.beat + 1, address = excluded.address, version = excluded.version, is_draining = "
-    "excluded.is_draining";
+    "INSERT INTO servers (server, beat, address, version, is_draining, knows_schema) VALUES ($1, 1, $2, $3, $4, $5) ON "
+    "CONFLICT (server) DO UPDATE SET beat = servers.beat + 1, address = excluded.address, version = excluded.version, "
+    "is_draining = excluded.is_draining, knows_schema = excluded.knows_schema";
+const std::string kNoteFollowing = "UPDATE servers SET num_copies = $2, behind_ns = $3 WHERE server = $1";
+const std::string kNewestStep = "SELECT coalesce(max(step), 0) FROM schema_steps";
 const std::string kReadAll =
-    "SELECT server, beat, address, version, is_draining FROM servers ORDER BY server LIMIT 10000";
+    "SELECT server, beat, address, version, is_draining, knows_schema FROM servers ORDER BY server LIMIT 10000";
 const std::string kEpochs = "SELECT map_key, owner_epoch FROM maps WHERE owner = $1";
 const std::string kServersWithMaps =
     "SELECT coalesce(s.server, o.owner), coalesce(s.beat, -1), coalesce(s.address, ''), coalesce(s.version, ''), "
-    "coalesce(s.is_draining, 0), coalesce(o.num, 0) FROM servers s FULL JOIN (SELECT owner, count(*) AS num FROM maps "
-    "WHERE owner <> 0 GROUP BY owner) o ON o.owner = s.server ORDER BY 1 LIMIT 10000";
+    "coalesce(s.is_draining, 0), coalesce(s.knows_schema, 0), coalesce(o.num, 0) FROM servers s FULL JOIN (SELECT "
+    "owner, count(*) AS num FROM maps WHERE owner <> 0 GROUP BY owner) o ON o.owner = s.server ORDER BY 1 LIMIT 10000";
+const std::string kFollowing = "SELECT server, num_copies, behind_ns FROM servers ORDER BY server LIMIT 10000";
 const std::string kOwners =
     "SELECT n.name, m.owner, m.owner_epoch FROM map_names n JOIN maps m ON m.map_key = n.map_key WHERE n.name > $1 "
     "ORDER "
@@ -43,18 +47,36 @@ ServerRow ReadServer(Answer& answer) {
   row.address = answer.Text();
   row.version = answer.Text();
   row.is_draining = answer.Int() != 0;
+  row.knows_schema = answer.Int();
   return row;
 }
 
 }  // namespace
 
-Result<std::vector<ServerRow>> WriteBeat(Connection& connection, const ServerRow& me) {
-  std::vector<Call> calls = {{&kBeat}, {&kReadAll}};
-  calls[0].values.Add(me.server).Add(me.address).Add(me.version).Add(std::int64_t{me.is_draining});
+Result<BeatAnswer> WriteBeat(Connection& connection, const ServerRow& me,
+                             const std::optional<FollowingState>& following) {
+  std::vector<Call> calls = {{&kBeat}, {&kReadAll}, {&kNewestStep}};
+  calls[0].values.Add(me.server).Add(me.address).Add(me.version).Add(std::int64_t{me.is_draining}).Add(me.knows_schema);
+  if (following) {
+    const std::int64_t behind_ns = std::llround(following->behind_s * 1e9);
+    calls.emplace_back(Call{&kNoteFollowing}).values.Add(me.server).Add(following->num_copies).Add(behind_ns);
+  }
   Answers done = connection.Run(calls, kBeatTask);
+  if (done.sqlstate == "23514") {  // check_violation: see ForbidOlderServers
+    return FailedPrecondition("the database was brought to a schema that this version does not know")
+        .WithReason("NEWER_SCHEMA");
+  }
   if (!done.status.ok()) return done.status;
+  BeatAnswer answer;
+  while (done.answers[1].Next()) answer.rows.push_back(ReadServer(done.answers[1]));
+  if (done.answers[2].Next()) answer.schema = done.answers[2].Int();
+  return answer;
+}
+
+Result<std::vector<ServerRow>> ReadRows(Connection& connection) {
+  DHPMAP_ASSIGN_OR_RETURN(Answer answer, connection.Query({&kReadAll}, kServersTask));
   std::vector<ServerRow> rows;
-  while (done.answers[1].Next()) rows.push_back(ReadServer(done.answers[1]));
+  while (answer.Next()) rows.push_back(ReadServer(answer));
   return rows;
 }
 
@@ -70,12 +92,24 @@ Result<std::map<std::int64_t, std::int64_t>> ReadEpochs(Connection& connection, 
   return epochs;
 }
 
-Result<std::vector<ServerWithMaps>> ReadServers(Connection& connection) {
-  DHPMAP_ASSIGN_OR_RETURN(Answer answer, connection.Query({&kServersWithMaps}, kServersTask));
+Result<std::vector<ServerWithMaps>> ReadServers(Connection& connection, bool has_following) {
+  std::vector<Call> calls = {{&kServersWithMaps}};
+  if (has_following) calls.push_back({&kFollowing});
+  Answers done = connection.Run(calls, kServersTask);
+  if (!done.status.ok()) return done.status;
+  std::map<std::int64_t, FollowingState> following;
+  while (has_following && done.answers[1].Next()) {
+    FollowingState& of = following[done.answers[1].Int()];
+    of.num_copies = done.answers[1].Int();
+    of.behind_s = static_cast<double>(done.answers[1].Int()) * 1e-9;
+  }
   std::vector<ServerWithMaps> servers;
-  while (answer.Next()) {
-    ServerRow row = ReadServer(answer);
-    servers.push_back({std::move(row), answer.Int()});
+  while (done.answers[0].Next()) {
+    ServerWithMaps& server = servers.emplace_back();
+    server.row = ReadServer(done.answers[0]);
+    server.num_maps = done.answers[0].Int();
+    const auto found = following.find(server.row.server);
+    if (found != following.end()) server.following = found->second;
   }
   return servers;
 }

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "storage/fleet.h"
 #include "storage/postgres/connection.h"
 #include "storage/postgres/fleet/peers.h"
 
@@ -14,8 +16,20 @@ namespace dhpmap::postgres {
 
 // What servers write to and read from the database about each other. All by autocommit, one round trip each.
 
-/// Writes our row with another beat, and reads all rows after it.
-Result<std::vector<ServerRow>> WriteBeat(Connection& connection, const ServerRow& me);
+/// The step of the schema that has the columns of FollowingState.
+inline constexpr std::int64_t kFollowingStep = 6;
+
+/// The rows and the newest step of the schema, as they were right after a beat.
+struct BeatAnswer {
+  std::vector<ServerRow> rows;
+  std::int64_t schema = 0;
+};
+/// Writes our row with another beat. `following`: none if the schema has no columns for it. FAILED_PRECONDITION, reason
+/// NEWER_SCHEMA, if the database was brought to a schema that we do not know.
+Result<BeatAnswer> WriteBeat(Connection& connection, const ServerRow& me,
+                             const std::optional<FollowingState>& following);
+/// All rows.
+Result<std::vector<ServerRow>> ReadRows(Connection& connection);
 /// The epochs of all maps that a server owns, by map_key.
 Result<std::map<std::int64_t, std::int64_t>> ReadEpochs(Connection& connection, std::int64_t server);
 
@@ -23,8 +37,10 @@ Result<std::map<std::int64_t, std::int64_t>> ReadEpochs(Connection& connection, 
 struct ServerWithMaps {
   ServerRow row;
   std::int64_t num_maps = 0;
+  std::optional<FollowingState> following;
 };
-Result<std::vector<ServerWithMaps>> ReadServers(Connection& connection);
+/// `has_following`: the schema has columns for it.
+Result<std::vector<ServerWithMaps>> ReadServers(Connection& connection, bool has_following);
 
 /// A map, its owner and epoch.
 struct OwnerRow {

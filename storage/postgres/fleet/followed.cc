@@ -11,6 +11,21 @@ void FleetMember::OnChange(std::function<void(const std::string& map, std::int64
   on_change_ = std::move(on_change);
 }
 
+void FleetMember::MeasureFollowing(std::function<FollowingState()> measure) {
+  const MutexLock lock(mutex_);
+  measure_ = std::move(measure);
+}
+
+std::optional<FollowingState> FleetMember::Following() const {
+  if (!schema_.Has(kFollowingStep)) return std::nullopt;
+  std::function<FollowingState()> measure;
+  {
+    const MutexLock lock(mutex_);
+    measure = measure_;
+  }
+  return measure ? measure() : FollowingState();
+}
+
 void FleetMember::SetFollowed(std::vector<std::string> maps) {
   const MutexLock lock(mutex_);
   followed_ = std::move(maps);

@@ -68,7 +68,17 @@ Peers::Opinion Peers::OpinionOf(std::int64_t server) {
   const MutexLock lock(mutex_);
   const auto [place, is_new] = peers_.try_emplace(server);
   if (is_new) place->second = {.row = {.server = server, .beat = kNoRow}, .changed_ns = now_ns};
-  return {VerdictOf(place->second, now_ns), place->second.row.beat};
+  return {VerdictOf(place->second, now_ns), place->second.row.beat, now_ns - place->second.changed_ns};
+}
+
+std::vector<Peers::Judged> Peers::All() const {
+  const std::int64_t now_ns = time_();
+  const MutexLock lock(mutex_);
+  std::vector<Judged> all;
+  for (const auto& [server, peer] : peers_) {
+    if (peer.row.beat != kNoRow) all.push_back({peer.row, VerdictOf(peer, now_ns)});
+  }
+  return all;
 }
 
 std::optional<ServerRow> Peers::Find(std::int64_t server) const {

@@ -19,6 +19,7 @@ struct ServerRow {
   std::string address;
   std::string version;
   bool is_draining = false;
+  std::int64_t knows_schema = 0;  ///< the newest step that its version knows
 };
 
 /// Judges which servers are alive by this process's own clock. A server is dead if its beat has not changed for a
@@ -39,6 +40,11 @@ class Peers {
   struct Opinion {
     Verdict verdict = Verdict::kUnclear;
     std::int64_t beat = kNoRow;  ///< that it rests on
+    std::int64_t age_ns = 0;     ///< since that beat was first seen
+  };
+  struct Judged {
+    ServerRow row;
+    Verdict verdict = Verdict::kUnclear;
   };
 
   /// A beat that was sent at `sent_ns` of Now_ns has succeeded, and these are all rows as they were after it.
@@ -52,6 +58,8 @@ class Peers {
   [[nodiscard]] bool IsFresh() const DHPMAP_EXCLUDES(mutex_);
   /// Of a server that owns a map; whoever has no row, too, is watched for a lease.
   [[nodiscard]] Opinion OpinionOf(std::int64_t server) DHPMAP_EXCLUDES(mutex_);
+  /// All that have a row, this one too.
+  [[nodiscard]] std::vector<Judged> All() const DHPMAP_EXCLUDES(mutex_);
   /// As last read; nothing if it has no row.
   [[nodiscard]] std::optional<ServerRow> Find(std::int64_t server) const DHPMAP_EXCLUDES(mutex_);
   /// Have been dead for a hundred leases.

@@ -143,6 +143,7 @@ std::shared_ptr<OwnedMap> MapOwnership::Keep(const std::string& name, const MapH
   auto map = std::make_shared<OwnedMap>(name, seen.row.key, seen.owner_epoch + 1, seen.seen_ns, time_);
   const MutexLock lock(mutex_);
   if (round_ != round) return nullptr;
+  if (seen.owner != 0 && seen.owner != server()) ++num_taken_over_;
   maps_[name] = map;
   return map;
 }

@@ -26,9 +26,10 @@ std::shared_ptr<OwnedMap> MapOwnership::Find(const std::string& name) {
   return found == maps_.end() ? nullptr : found->second;
 }
 
-std::int64_t MapOwnership::num_maps() {
+MapOwnership::Counts MapOwnership::counts() const {
   const MutexLock lock(mutex_);
-  return static_cast<std::int64_t>(maps_.size());
+  return {
+      .num_owned = static_cast<std::int64_t>(maps_.size()), .num_taken_over = num_taken_over_, .num_lost = num_lost_};
 }
 
 Result<std::shared_ptr<OwnedMap>> MapOwnership::Own(const std::string& name, For what) {
@@ -77,6 +78,10 @@ bool MapOwnership::Leave(const OwnedMap& map) {
 
 void MapOwnership::Lose(const OwnedMap& map) {
   if (!Leave(map)) return;
+  {
+    const MutexLock lock(mutex_);
+    ++num_lost_;
+  }
   const MutexLock lock(told_mutex_);
   const std::function<void(const std::string& map)> tell = on_lost_;
   if (tell) TellSafely([&] { tell(map.name); });

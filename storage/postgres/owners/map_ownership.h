@@ -42,7 +42,12 @@ class MapOwnership {
   Result<std::shared_ptr<OwnedMap>> Own(const std::string& name, For what) DHPMAP_EXCLUDES(mutex_);
   /// Null if this process does not own it.
   [[nodiscard]] std::shared_ptr<OwnedMap> Find(const std::string& name) DHPMAP_EXCLUDES(mutex_);
-  [[nodiscard]] std::int64_t num_maps() DHPMAP_EXCLUDES(mutex_);
+  struct Counts {
+    std::int64_t num_owned = 0;       ///< now
+    std::int64_t num_taken_over = 0;  ///< from servers that had died
+    std::int64_t num_lost = 0;        ///< to others, which held us for dead
+  };
+  [[nodiscard]] Counts counts() const DHPMAP_EXCLUDES(mutex_);
   /// For a map that the caller is about to create.
   [[nodiscard]] std::shared_ptr<OwnedMap> New(const std::string& name) const;
   void Add(std::shared_ptr<OwnedMap> map) DHPMAP_EXCLUDES(mutex_);
@@ -89,13 +94,14 @@ class MapOwnership {
   Pool& pool_;
   Peers& peers_;
   const PassingTime time_;
-  Mutex mutex_;
+  mutable Mutex mutex_;
   CondVar is_claimed_, is_beaten_;
   std::map<std::string, std::shared_ptr<OwnedMap>> maps_ DHPMAP_GUARDED_BY(mutex_);
   std::set<std::string> claimed_ DHPMAP_GUARDED_BY(mutex_);  ///< being taken
   std::set<std::string> left_ DHPMAP_GUARDED_BY(mutex_);     ///< lost or given up, and not loaded since
   std::int64_t round_ DHPMAP_GUARDED_BY(mutex_) = 0;         ///< counts BeginLookThrough
   std::int64_t num_beats_ DHPMAP_GUARDED_BY(mutex_) = 0;
+  std::int64_t num_taken_over_ DHPMAP_GUARDED_BY(mutex_) = 0, num_lost_ DHPMAP_GUARDED_BY(mutex_) = 0;
   bool takes_ DHPMAP_GUARDED_BY(mutex_) = true;
   Mutex told_mutex_;
   std::function<void(const std::string& map)> on_lost_ DHPMAP_GUARDED_BY(told_mutex_);

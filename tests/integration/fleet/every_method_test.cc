@@ -33,6 +33,7 @@ const std::map<std::string, std::string>& AnsweredHere() {
       {"/dhpmap.v1.AuthService/WhoAmI", "is about the caller"},
       {"/dhpmap.v1.ServerService/GetServerStatus", "is about this server"},
       {"/dhpmap.v1.FleetService/GetFleet", "is about all servers"},
+      {"/dhpmap.v1.FleetService/FinishUpgrade", "is about all servers"},
       {"/dhpmap.v1.FleetService/ListMapOwners", "is about all maps"},
   };
   return here;

@@ -5,6 +5,7 @@
 
 #include "dhpmap/v1/fleet_service.grpc.pb.h"
 #include "tests/integration/fleet/fleet_of_two.h"
+#include "tests/support/lone_fleet.h"
 
 namespace dhpmap::testing {
 namespace {
@@ -59,12 +60,52 @@ TEST_F(FleetOfTwo, LeavesAMapWhereItIs) {
   EXPECT_EQ(num_relayed, 1);
 }
 
+/// A fleet in the middle of an upgrade, with another server that may be older.
+class UpgradingFleet final : public LoneFleet {
+ public:
+  Result<std::vector<FleetServer>> ListServers() override {
+    return std::vector<FleetServer>{{.id = 1,
+                                     .is_alive = true,
+                                     .is_me = true,
+                                     .newest_schema = 6,
+                                     .beat_age_s = 0.25,
+                                     .following = FollowingState{.num_copies = 3, .behind_s = 1.5}},
+                                    {.id = 2, .is_alive = true, .newest_schema = 4}};
+  }
+  [[nodiscard]] FleetSchema Schema() const override { return {.in_force = in_force, .newest = 6}; }
+  Result<FleetSchema> FinishUpgrade() override {
+    if (has_older) return FailedPrecondition("old:1 does not know schema 6");
+    in_force = 6;
+    return Schema();
+  }
+  bool has_older = true;
+  std::int64_t in_force = 4;
+};
+
+TEST(FleetService, TellsOfAnUpgradeAndFinishesIt) {
+  UpgradingFleet fleet;
+  const auto store = MakeMemoryStore();
+  TestServer server(*store, {}, {.fleet = &fleet});
+  const auto before = server.Call(&FleetStub::GetFleet).value();
+  EXPECT_EQ(before.schema().in_force(), 4);
+  EXPECT_EQ(before.schema().newest(), 6);
+  EXPECT_EQ(before.servers(0).newest_schema(), 6);
+  EXPECT_DOUBLE_EQ(before.servers(0).beat_age_s(), 0.25);
+  EXPECT_EQ(before.servers(0).num_copies(), 3);
+  EXPECT_DOUBLE_EQ(before.servers(0).copies_behind_s(), 1.5);
+  EXPECT_FALSE(before.servers(1).has_beat_age_s() || before.servers(1).has_num_copies());
+  EXPECT_EQ(server.Call(&FleetStub::FinishUpgrade).code(), grpc::FAILED_PRECONDITION);
+  fleet.has_older = false;
+  EXPECT_EQ(server.Call(&FleetStub::FinishUpgrade)->schema().in_force(), 6);
+  EXPECT_EQ(server.Call(&FleetStub::GetFleet)->schema().in_force(), 6);
+}
+
 TEST(FleetService, IsOfNoServerWithAFile) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   for (const std::string& reason :
        {server.Call(&FleetStub::GetFleet).reason(), server.Call(&FleetStub::ListMapOwners).reason(),
-        server.Call(&FleetStub::MoveMap, MoveTo("1")).reason()}) {
+        server.Call(&FleetStub::MoveMap, MoveTo("1")).reason(), server.Call(&FleetStub::FinishUpgrade).reason()}) {
     EXPECT_EQ(reason, "NO_FLEET");
   }
 }

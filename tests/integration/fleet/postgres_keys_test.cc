@@ -73,15 +73,15 @@ class PostgresKeys : public ::testing::Test {
   }
   std::string Make(const auth::NewKey& key) {
     std::string text;
-    EXPECT_OK(ChangeKeyTable(*tables, [&](std::vector<auth::KeyRecord>& records) -> Status {
-      DHPMAP_ASSIGN_OR_RETURN(const auth::ShownKey shown, AddKey(key, 0, auth::SystemRandomness(), records));
+    EXPECT_OK(auth::ChangeKeyTable(*tables, [&](std::vector<auth::KeyRecord>& records) -> Status {
+      DHPMAP_ASSIGN_OR_RETURN(const auth::ShownKey shown, auth::AddKey(key, 0, auth::SystemRandomness(), records));
       text = shown.text;
       return Status::Ok();
     }));
     return text;
   }
   void Revoke(const std::string& name) {
-    EXPECT_OK(ChangeKeyTable(
+    EXPECT_OK(auth::ChangeKeyTable(
         *tables, [&](std::vector<auth::KeyRecord>& records) { return auth::RevokeKeys(name, 0, records).status(); }));
   }
   void LookAtKeys() const {

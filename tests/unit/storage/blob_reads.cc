@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "storage/postgres/commit/writer.h"
 #include "storage/postgres/connection.h"
-#include "storage/postgres/map_ownership.h"
+#include "storage/postgres/owners/map_ownership.h"
 #include "storage/postgres/pool.h"
-#include "storage/postgres/writer.h"
 #include "storage/sqlite/database.h"
 #include "tests/unit/storage/bench_timing.h"
 #include "tests/unit/storage/map_fixtures.h"

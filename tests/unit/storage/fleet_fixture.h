@@ -33,12 +33,21 @@ class FleetOfStores : public ::testing::Test {
     if (PostgresCluster::Get() == nullptr) GTEST_SKIP() << PostgresCluster::WhyThereIsNone();
     schema_ = PostgresCluster::Get()->NewSchema();
   }
+  [[nodiscard]] PostgresStoreOptions OptionsOf(const std::string& address) {
+    return {.schema = schema_,
+            .max_connections = 3,
+            .answer_s = 20,
+            .fleet = {.address = address,
+                      .version = "1.0",
+                      .beats_by_itself = false,
+                      .time_ns = [this] { return now_ns_.load(); },
+                      .await_beats = [] {}}};
+  }
   Server Open(const std::string& address, const std::string& url = PostgresCluster::Get()->Url()) {
-    auto opened = OpenPostgresStore(
-        url, {.schema = schema_,
-              .max_connections = 3,
-              .answer_s = 20,
-              .fleet = {.address = address, .beats_by_itself = false, .time_ns = [this] { return now_ns_.load(); }}});
+    return Open(OptionsOf(address), url);
+  }
+  Server Open(const PostgresStoreOptions& options, const std::string& url = PostgresCluster::Get()->Url()) {
+    auto opened = OpenPostgresStore(url, options);
     EXPECT_OK(opened);
     return {opened.ok() ? std::move(opened).value() : nullptr};
   }

@@ -30,7 +30,9 @@ class ToldFleet final : public testing::LoneFleet {
     const MutexLock lock(mutex_);
     followed_ = std::move(maps);
   }
+  void MeasureFollowing(std::function<FollowingState()> measure) override { measure_ = std::move(measure); }
   void Tell(const std::string& map) const { on_change_(map, 0); }
+  [[nodiscard]] FollowingState Measure() const { return measure_(); }
   Names followed() const {
     const MutexLock lock(mutex_);
     return followed_;
@@ -38,6 +40,7 @@ class ToldFleet final : public testing::LoneFleet {
 
  private:
   std::function<void(const std::string&, std::int64_t)> on_change_;
+  std::function<FollowingState()> measure_;
   mutable Mutex mutex_;
   Names followed_ DHPMAP_GUARDED_BY(mutex_);
 };
@@ -211,6 +214,34 @@ TEST_F(FollowedMapsTest, WhileTheStoreIsAwayACopyIsReadAndGoesOnWhenItIsBack) {
   store_.is_away = false;
   EXPECT_TRUE(Reaches("room", revision)) << "it tries again by itself";
   EXPECT_EQ(RevisionOf("yard"), 1);
+}
+
+TEST_F(FollowedMapsTest, CopiesAreBehindFromTheFirstCommitThatTheyLack) {
+  constexpr std::chrono::seconds kLater{10};
+  const auto behind_s = [this](std::chrono::seconds later) {
+    return maps_->StateAt(FollowedMaps::Clock::now() + later).behind_s;
+  };
+  Follow(LooksOnlyWhenTold());
+  EXPECT_EQ(RevisionOf("room"), 1);
+  EXPECT_EQ(RevisionOf("yard"), 1);
+  ASSERT_TRUE(Eventually([&] { return store_.num_looks == 2; }));
+  EXPECT_EQ(behind_s(kLater), 0);
+  store_.is_away = true;
+  Commit("room");
+  fleet_.Tell("room");
+  EXPECT_GE(behind_s(kLater), 10);
+  ASSERT_TRUE(Eventually([&] { return store_.num_looks > 4; }));
+  const std::int64_t revision = Commit("room");
+  fleet_.Tell("room");
+  EXPECT_GE(behind_s(kLater), 10) << "reads that fail change nothing";
+  EXPECT_EQ(fleet_.Measure().num_copies, 2);
+  EXPECT_GT(fleet_.Measure().behind_s, 0);
+  EXPECT_EQ(fleet_.Measure().bytes, static_cast<std::int64_t>(maps_->bytes()));
+  store_.is_away = false;
+  EXPECT_TRUE(Reaches("room", revision));
+  EXPECT_TRUE(Eventually([&] { return behind_s(kLater) == 0; }));
+  maps_->Stop();
+  EXPECT_EQ(fleet_.Measure().num_copies, 0) << "the fleet may outlive the copies";
 }
 
 TEST_F(FollowedMapsTest, ThereAreNoMoreCopiesThanThereIsRoomFor) {

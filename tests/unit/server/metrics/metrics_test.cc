@@ -58,6 +58,25 @@ TEST(Metrics, TextHoldsWhatWasRecorded) {
   }
 }
 
+TEST(Metrics, OnlyAServerOfAFleetHasMetricsOfTheFleet) {
+  const Metrics metrics;
+  EXPECT_EQ(metrics.Text({}).find("dhpmap_fleet_"), std::string::npos);
+  const std::string text = metrics.Text({.fleet = Metrics::FleetGauges{.num_owned = 3,
+                                                                       .num_taken_over = 4,
+                                                                       .num_lost = 5,
+                                                                       .num_failed_beats = 6,
+                                                                       .num_copies = 7,
+                                                                       .copy_bytes = 8,
+                                                                       .copies_behind_s = 0.5,
+                                                                       .schema = 9}});
+  for (const char* line :
+       {"dhpmap_fleet_maps 3\n", "# TYPE dhpmap_fleet_takeovers_total counter\n", "dhpmap_fleet_takeovers_total 4\n",
+        "dhpmap_fleet_lost_maps_total 5\n", "dhpmap_fleet_failed_beats_total 6\n", "dhpmap_fleet_copies 7\n",
+        "dhpmap_fleet_copy_memory_bytes 8\n", "dhpmap_fleet_copies_behind_seconds 0.5\n", "dhpmap_fleet_schema 9\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+  }
+}
+
 TEST(Metrics, TellsWhatIsCountedEachByteUnderOneKind) {
   const Metrics metrics;
   Metrics::Gauges gauges{.maps = {{.name = "room", .memory_bytes = 100, .block_bytes = 40},
