@@ -23,8 +23,8 @@ BlockIndex NeighbourOf(BlockIndex center, std::size_t i) {
   return {center.x + n % 3 - 1, center.y + n / 3 % 3 - 1, center.z + n / 9 - 1};
 }
 
-/// First and last block along one axis, counted from the cell's own, that holds a voxel between two positions or not
-/// farther than `margin_vox` from these.
+/// First and last block along one axis, relative to the cell's own block, that contains a voxel between two positions
+/// or within `margin_vox` of them.
 struct BlockRange {
   int first, last;
   BlockRange(float a_vox, float b_vox, float margin_vox, std::int32_t base, std::int32_t center) {

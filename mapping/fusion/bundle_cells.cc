@@ -10,7 +10,7 @@ namespace dhpmap {
 void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, std::vector<std::uint32_t>& cell_of,
                 SegmentBundles& segment) {
   if (tally.is_too_large()) return;
-  // First find where bundles of each cell end, so that they can lie together; then sum the runs up.
+  // First find the end voxels of each cell's bundles, so that a cell's bundles are contiguous; then sum up the runs.
   cell_of.resize(runs.size());
   BlockIndex last_block{};
   std::uint32_t last_cell = 0;
@@ -47,7 +47,7 @@ void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, std::v
     segment.num_points += run.num_points();
   }
   for (Bundle& bundle : segment.bundles) {
-    // Points on all sides of the sensor cancel: in the voxel that it stands in any direction will do.
+    // Points on all sides of the sensor cancel out: in the sensor's own voxel any direction will do.
     const float least = kLeastDepth_m * bundle.weight;
     if (!(bundle.weighted_sum_m.squaredNorm() >= least * least)) bundle.weighted_sum_m = {least, 0, 0};
   }

@@ -11,8 +11,8 @@
 
 namespace dhpmap {
 
-/// Sums the runs of a segment, which is empty, up to its bundles, those of a cell together. Leaves it half built where
-/// the frame has too many cells. `cell_of`: to work with.
+/// Sums the runs of an empty segment into its bundles, the bundles of a cell together. Stops early if the frame has too
+/// many cells. `cell_of` is scratch memory.
 void BundleRuns(std::span<const PointRun* const> runs, FrameTally& tally, std::vector<std::uint32_t>& cell_of,
                 SegmentBundles& segment);
 

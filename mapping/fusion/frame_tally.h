@@ -13,20 +13,20 @@
 
 namespace dhpmap {
 
-/// How large a frame turns out to be while it is taken apart. Thread-safe. How much of a frame was seen when it is
-/// found too large depends on the threads; whether it is found too large does not.
+/// Counts the blocks and cells of a frame while it is processed. Thread-safe. The count at which processing stops
+/// depends on the threads; whether a frame is too large does not.
 class FrameTally {
  public:
-  /// A frame of so few points cannot have too many cells before its cells are made.
+  /// A frame of few points cannot have too many cells, so its blocks are not counted.
   explicit FrameTally(std::size_t num_points) : blocks_seen_(num_points > kMaxBlocksAFrame ? kNumWords : 0) {}
 
   [[nodiscard]] bool is_too_large() const { return is_too_large_.load(std::memory_order_relaxed); }
 
-  /// Before the cells are counted one by one: enough blocks mean enough cells, so that most runs of a frame of noise
-  /// are never made. Costs nothing until there are as many runs as there may be cells.
+  /// Call it before the cells are counted one by one. Enough blocks imply enough cells, so most runs of a frame of
+  /// noise are never made. Costs nothing until the number of runs reaches the limit of cells.
   void NoteRuns(const std::vector<PointRun>& runs);
 
-  /// Before a cell is made; false: it must not be.
+  /// Call it before a cell is made; false: do not make it.
   [[nodiscard]] bool TakeCell() {
     if (num_cells_.fetch_add(1, std::memory_order_relaxed) < kMaxBlocksAFrame) return true;
     is_too_large_.store(true, std::memory_order_relaxed);
@@ -37,7 +37,8 @@ class FrameTally {
   static constexpr std::size_t kWordBits = 64;
   static constexpr std::size_t kNumWords = 16 * kMaxBlocksAFrame / kWordBits;  // 256 kB: 3 % of the blocks share a bit
 
-  /// Linear counting: a bit a block, by its hash. Blocks that share one count once, so the sum is never too large.
+  /// Linear counting: one bit per block, chosen by its hash. Blocks that share a bit count once, so the sum is never
+  /// too large.
   [[nodiscard]] bool IsNew(BlockIndex block);
 
   std::vector<std::atomic<std::uint64_t>> blocks_seen_;

@@ -27,7 +27,7 @@ GrazedColumns::GrazedColumns(const TangentPlane& plane, const Eigen::Vector3f& e
       if (std::abs(distance_m) > RayBand::kCellReach_vox * voxel_size_m) continue;
       const VoxelIndex offset{voxel.x(), voxel.y(), voxel.z()};
       const auto is_same = [offset](const Voxel& other) { return other.offset == offset; };
-      if (std::any_of(begin(), end(), is_same)) continue;  // an oblique step stays in the column now and then
+      if (std::any_of(begin(), end(), is_same)) continue;  // an oblique step sometimes stays in the column
       voxels_[num_++] = {offset, distance_m};
     }
   }

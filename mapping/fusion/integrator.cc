@@ -18,13 +18,12 @@ namespace {
 
 struct UpdateRule {
   float truncation_m;
-  float dropoff_start_m;  ///< behind the surface, where the weight starts to fade; the truncation if it never does
-  float fade_per_m;       ///< of the weight from there on; 0 where it never does: it is gone at once
+  float dropoff_start_m;  ///< behind the surface, where the weight starts to fall; the truncation if it does not
+  float fade_per_m;       ///< slope of the weight from there on; 0 if it does not fall but ends
   float max_weight;
 };
 
-/// Adds an observation to the voxel's average. Returns false where the observation weighs nothing. `journal`: of
-/// `here`.
+/// Adds an observation to the voxel's average. Returns false if its weight is 0. `journal` belongs to `here`.
 bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const UpdateRule& rule, const Neighbour& here,
                  std::size_t i, VoxelJournal* journal) {
   TsdfBlock& block = *here.tsdf;
@@ -48,8 +47,8 @@ bool UpdateVoxel(float sdf_m, float weight, const Eigen::Vector3f& color, const 
   return true;
 }
 
-/// The same for a voxel that sensors have looked through: it is seen again. Where it was contradicted there is
-/// something new, which what was there before does not hold down.
+/// The same for a voxel with a gone count, which is reset. If the voxel was contradicted, something new is there, so
+/// the old average is dropped.
 bool ObserveAnew(float sdf_m, float weight, const Eigen::Vector3f& color, const UpdateRule& rule, BlockIndex block,
                  std::size_t i, Neighbour& here, Submap& submap, VoxelJournal* journal) {
   const auto linear = static_cast<int>(i);
@@ -129,7 +128,7 @@ class SegmentUpdate {
   [[nodiscard]] std::uint64_t num_labelled() const { return num_labelled_; }
 
  private:
-  /// What is in a lane.
+  /// The ray of a lane.
   struct End {
     const BundleCell* cell = nullptr;
     const Bundle* bundle = nullptr;
@@ -175,14 +174,15 @@ class SegmentUpdate {
     if (here.labels_number != VoxelJournal::kNoNotes) journal_->NoteLabel(here.labels_number, linear);
   }
 
-  /// Rare: a label that the voxel has not seen. It may change the form of the whole block, which is not taken back.
+  /// Rare: a label that is new to the voxel. It may change the layout of the whole block, which a rollback keeps.
   [[gnu::noinline]] void AddNewLabel(int voxel, Neighbour& here) {
     here.labels = &submap_.MutableLabels(neighbourhood_.IndexOf(voxel / kBlockVoxels));
     here.labels_number = VoxelJournal::kNoNotes;
     here.labels->AddObservation(voxel % kBlockVoxels, *label_);
   }
 
-  /// What the ray has not crossed of the columns about its end; without labels, as its band beyond the truncation.
+  /// Updates those voxels of the columns that the ray has not crossed. Writes no labels, as in the band beyond the
+  /// truncation.
   [[gnu::noinline]] void AddColumns(const Bundle& bundle, const Eigen::Vector3f& end_m, const Eigen::Vector3f& color,
                                     std::size_t lane) {
     constexpr int kSideAround = 3 * kBlockSide;
@@ -226,7 +226,7 @@ class SegmentUpdate {
   Submap& submap_;
   VoxelJournal* journal_;
   RayNeighbourhood neighbourhood_;
-  const BundleCell* cell_ = nullptr;  ///< around which the neighbourhood is
+  const BundleCell* cell_ = nullptr;  ///< the centre of the neighbourhood
   std::array<End, kRayLanes> ends_;
   RayGrid grid_{};
   RayLanes rays_;
@@ -244,7 +244,7 @@ RayOrigin::RayOrigin(const Eigen::Vector3d& p_grid_m, double voxel_size_m)
 std::int64_t IntegrateSegment(const SegmentBundles& segment, const RayOrigin& origin, std::optional<ClassId> label,
                               const IntegrationConfig& config, Submap& submap, const std::stop_token& stop,
                               KeptClearVoxels* kept_clear, VoxelJournal* journal) {
-  if (segment.is_cut_short) throw std::bad_alloc();  // it was too much for memory: the frame fails as a whole
+  if (segment.is_cut_short) throw std::bad_alloc();  // it did not fit into memory: the frame fails as a whole
   SegmentUpdate update(segment, label, config, submap, kept_clear, journal);
   update.AddAll(segment, origin, stop);
   if (update.num_labelled() != 0) submap.AddClassObservations(*label, update.num_labelled());

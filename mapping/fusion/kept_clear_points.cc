@@ -10,10 +10,10 @@
 namespace dhpmap {
 namespace {
 
-/// Of what is computed in floats: a bound is so much wider, by share and in metres.
+/// Margin of bounds computed in floats, relative and in metres.
 constexpr double kSlack = 1e-5;
 
-/// A region as the sensor sees it: a sphere around it, in the sensor's frame, that all of it lies in.
+/// A region in the sensor's frame: a sphere around all of it.
 struct SeenRegion {
   const Region& region;
   Eigen::Vector3d center_m;
@@ -26,25 +26,25 @@ SeenRegion Seen(const Region& region, const Transform& T_sensor_map) {
   return {region, center_m, sphere.radius_m + kSlack * (1 + center_m.norm())};
 }
 
-/// Pixels from the first to before the last.
+/// Pixels in [first, last).
 struct PixelRange {
   int first_px, last_px;
 };
 
-/// The pixels along one axis that may see something of a sphere. `center_m`: its centre along that axis.
+/// The pixels along one axis that may see part of a sphere. `center_m`: its centre along that axis.
 PixelRange PixelsOf(const SeenRegion& seen, double center_m, double focal_px, double middle_px, int size_px) {
   const double near_m = seen.center_m.z() - seen.radius_m, far_m = seen.center_m.z() + seen.radius_m;
   if (far_m <= 0) return {0, 0};
   const double low_m = center_m - seen.radius_m, high_m = center_m + seen.radius_m;
-  if (near_m <= kSlack * far_m) return {0, size_px};  // the camera may be within
+  if (near_m <= kSlack * far_m) return {0, size_px};  // the camera may be inside
   const double low_px = middle_px + focal_px * std::min(low_m / near_m, low_m / far_m);
   const double high_px = middle_px + focal_px * std::max(high_m / near_m, high_m / far_m);
   const auto clamped = [size_px](double px) { return static_cast<int>(std::clamp(px, 0.0, double{1} * size_px)); };
   return {clamped(std::floor(low_px)), clamped(std::ceil(high_px) + 1)};
 }
 
-/// Many at a time, as most rows of what is empty have none, and those that are cut already. Bounds are wider than their
-/// rounding.
+/// Whether any of the depths lies in the range. Tests many at a time, since most rows have none. The bounds exceed
+/// their rounding errors.
 bool HasDepthWithin(double near_m, double far_m, const float* depth_m, int count) {
   const auto least_m =
       std::max(static_cast<float>(near_m * (1 - kSlack)), std::numeric_limits<float>::denorm_min());  // 0: no return
@@ -55,7 +55,7 @@ bool HasDepthWithin(double near_m, double far_m, const float* depth_m, int count
   return num_within > 0;
 }
 
-/// Calls cut(pixel) for every pixel that sees something within the region.
+/// Calls cut(pixel) for every pixel that sees a point within the region.
 template <typename Cut>
 void VisitPixelsIn(const SeenRegion& seen, const DepthCameraData& image, const Transform& T_map_sensor, Cut&& cut) {
   const PinholeCamera& camera = image.camera;
@@ -78,11 +78,11 @@ void VisitPixelsIn(const SeenRegion& seen, const DepthCameraData& image, const T
   }
 }
 
-/// Nothing if no pixel sees something within the regions.
+/// Nothing if no pixel sees a point within the regions.
 std::optional<PanopticFrame> WithoutPixelsIn(const std::vector<SeenRegion>& regions, const PanopticFrame& frame) {
   std::optional<PanopticFrame> rest;
   for (const SeenRegion& seen : regions) {
-    // What one region has cut is no return to the next: regions that overlap cost little more than one.
+    // Pixels cut by one region have no return for the next, so overlapping regions cost little more than one.
     const DepthCameraData& image = rest ? *rest->camera : *frame.camera;
     VisitPixelsIn(seen, image, frame.T_map_sensor, [&rest, &frame](std::size_t pixel) {
       if (!rest) rest.emplace(frame);
@@ -97,7 +97,7 @@ bool IsInRegion(const SeenRegion& seen, const Eigen::Vector3d& p_m, const Transf
          Contains(seen.region, T_map_sensor * p_m);
 }
 
-/// Which points of a scan, in ascending order.
+/// The points of a scan within the regions, in ascending order.
 std::vector<std::size_t> PointsIn(const std::vector<SeenRegion>& regions, const PanopticFrame& frame) {
   std::vector<std::size_t> points;
   const std::vector<Eigen::Vector3f>& all = frame.lidar->points_m;
@@ -110,7 +110,7 @@ std::vector<std::size_t> PointsIn(const std::vector<SeenRegion>& regions, const 
   return points;
 }
 
-/// `which`: ascending. What is empty stays so.
+/// Removes the values at the ascending indices `which`. An empty column stays empty.
 template <typename Value>
 void Erase(const std::vector<std::size_t>& which, std::vector<Value>& values) {
   if (values.empty()) return;

@@ -7,7 +7,7 @@ namespace dhpmap {
 
 namespace {
 
-/// Of the cube of 2 voxels a side that holds a voxel of the block.
+/// Index of the 2-voxel cube that contains a voxel of the block.
 std::size_t CubeOf(std::uint16_t linear) {
   return static_cast<std::size_t>((linear >> 1 & 3) | (linear >> 2 & 12) | (linear >> 3 & 48));
 }

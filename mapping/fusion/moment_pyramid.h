@@ -51,7 +51,7 @@ class MomentPyramid {
   struct Block {
     std::array<std::uint8_t, kCubesASide * kCubesASide * kCubesASide>
         slot{};                                           ///< 1 + place from first_cube, 0 = nothing
-    std::array<std::uint8_t, 8> coarse_slot{kNotSummed};  ///< the same from first_coarse, where that of the block lies
+    std::array<std::uint8_t, 8> coarse_slot{kNotSummed};  ///< the same from first_coarse, by octant
     std::uint32_t first_cube = 0, first_coarse = 0;
   };
   void SumUp(Block& block);

@@ -7,10 +7,10 @@
 namespace dhpmap {
 namespace {
 
-/// Standard deviation across the second axis: below, the points are a line (a scan's ring, a wire) or a spot, about
-/// which the plane could turn.
+/// Standard deviation along the second axis. Below it the points form a line (a scan's ring, a wire) or a spot, and the
+/// plane could turn around them.
 constexpr float kLeastSpread_vox = 0.5f;
-/// Standard deviation off the plane: above, there is an edge or more curvature than a plane should smooth away.
+/// Standard deviation across the plane. Above it there is an edge, or more curvature than a plane should smooth away.
 constexpr float kMostThickness_vox = 0.2f;
 /// The same as a share of the second variance: noise as wide as the patch has no normal.
 constexpr float kMostFlatness = 0.1f;
@@ -38,25 +38,25 @@ PlaneFit FitPlane(const PlaneMoments& moments, float voxel_size_m) {
   const float cx = yy * zz - yz * yz, cy = xx * zz - zx * zx, cz = xx * yy - xy * xy;
   const float least_variance = Square(kLeastSpread_vox * voxel_size_m);
   const float trace = xx + yy + zz, minors = cx + cy + cz;
-  // The second variance is at most this, as the first is at least a third of the trace: most lines end here.
+  // An upper bound of the second variance, since the first is at least a third of the trace. Most lines end here.
   if (!(3 * minors >= least_variance * trace)) return fit;
   const float det = xx * cx + xy * (yz * zx - xy * zz) + zx * (xy * yz - yy * zx);
 
-  // Newton's steps from 0 come to the least root of the characteristic polynomial without passing it, and at once
-  // where it is much the least: elsewhere there is no plane.
+  // Newton's method from 0 converges to the smallest root of the characteristic polynomial from below. It is fast if
+  // that root is much smaller than the others; otherwise there is no plane.
   float least = 0;
   for (int i = 0; i < 3; ++i) {
     const float slope = (3 * least - 2 * trace) * least + minors;
     const float value = ((least - trace) * least + minors) * least - det;
     least -= slope > 0 ? value / slope : 0.0f;
   }
-  const float rest = trace - least, product = minors - least * rest;  // sum and product of the other two
+  const float rest = trace - least, product = minors - least * rest;  // sum and product of the other two roots
   const float second = 0.5f * (rest - std::sqrt(std::max(0.0f, rest * rest - 4 * product)));
   if (!(second >= least_variance)) return fit;
   fit.outcome = PlaneFit::Outcome::kNotFlat;
   if (!(least <= Square(kMostThickness_vox * voxel_size_m) && least <= kMostFlatness * second)) return fit;
 
-  // The adjugate of (covariance - least) is the normal's outer product with itself, scaled: its longest column.
+  // The adjugate of (covariance - least) is a scaled outer product of the normal with itself: take its longest column.
   const float a = xx - least, b = yy - least, c = zz - least;
   const float aa = b * c - yz * yz, bb = a * c - zx * zx, cc = a * b - xy * xy;
   const float ab = yz * zx - xy * c, ca = xy * yz - zx * b, bc = xy * zx - yz * a;

@@ -7,14 +7,14 @@
 
 namespace dhpmap {
 
-/// Sums over bundles, from the sensor's origin in metres: what a plane is fitted to. In double precision, so that no
-/// nearer place needs to be chosen and sums of neighbouring places can simply be added.
+/// Sums over bundles, in metres from the sensor's origin, to which a plane is fitted. In double precision, so that one
+/// origin serves all, and sums of neighbouring cubes can be added.
 struct PlaneMoments {
   /// Weight and weighted position; xx, yy, zz and the number of bundles; yz, zx, xy.
   alignas(16) std::array<double, 12> sums{};
 
   [[nodiscard]] double num_bundles() const { return sums[7]; }
-  /// A bundle's weighted sum of points, at their mean.
+  /// Adds a bundle at its mean, from its weighted sum of points.
   void Add(const Eigen::Vector3f& weighted_sum_m, float weight) {
     const double x = weighted_sum_m.x(), y = weighted_sum_m.y(), z = weighted_sum_m.z(), per = 1.0 / weight;
     const double mx = x * per, my = y * per, mz = z * per;
@@ -28,10 +28,10 @@ struct PlaneMoments {
 
 /// A surface near some bundles.
 struct PlaneFit {
-  static constexpr double kLeastBundles = 5;  ///< fewer lie in a plane by chance
+  static constexpr double kLeastBundles = 5;  ///< fewer may lie in a plane by chance
   enum class Outcome {
     kPlane,
-    kTooFew,  ///< or in a line: a wider window may have more
+    kTooFew,  ///< or on a line: a wider window may contain more
     kNotFlat
   };
   Outcome outcome = Outcome::kTooFew;

@@ -25,7 +25,7 @@ void ProjectRow(const float* __restrict depth_m, const std::uint32_t* __restrict
     const float depth = depth_m[u];
     const float length2 = column_length2[u] + g.row_length2;
     const float range2 = depth * depth * length2;
-    // False for NaN and infinity too; min_range may be 0, so the depth is tested on its own.
+    // False for NaN and infinity, too. min_range may be 0, so the depth is tested separately.
     const bool valid = (depth >= kLeastDepth_m) & (range2 >= g.min_range2_m2) & (range2 <= g.max_range2_m2);
     const float z = valid ? depth : 1.0f;
     const float divisor = by_depth ? z * z : (by_range ? z * z * length2 : 1.0f);

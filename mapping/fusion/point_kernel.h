@@ -10,11 +10,11 @@
 
 namespace dhpmap {
 
-/// Nearer than any sensor measures. A point's weight may go with 1 / depth^2, which must stay finite.
+/// Below the range of every sensor. A point's weight may be 1 / depth^2, which must stay finite.
 inline constexpr float kLeastDepth_m = 1e-3f;
 
-/// What a row of depth pixels needs to become points on a grid. A pixel's ray, along the axes of the grid, is
-/// column[u] + row; its squared length for unit depth is column_length2[u] + row_length2.
+/// Geometry that turns a row of depth pixels into points on a grid. A pixel's ray, along the axes of the grid, is
+/// column[u] + row; its squared length at unit depth is column_length2[u] + row_length2.
 struct RowGeometry {
   const float* column_x;
   const float* column_y;
@@ -29,7 +29,7 @@ struct RowGeometry {
   Weighting weighting;
 };
 
-/// Where points are summed up: one segment in one voxel. Four words, as vectors are written and compared.
+/// The segment and voxel in which points are summed up. Four words, because vectors write and compare it.
 struct PointPlace {
   std::array<std::int32_t, 4> words{};  ///< segment, x, y, z
 
@@ -41,7 +41,7 @@ struct PointPlace {
   bool operator==(const PointPlace&) const = default;
 };
 
-/// A number of kPlaceBits bits, so that few places of a neighbourhood have the same.
+/// Hash of a place with kPlaceBits bits. Few places of a neighbourhood share a value.
 inline constexpr int kPlaceBits = 12;
 constexpr std::uint32_t PlaceNumber(std::int32_t segment, std::int32_t x, std::int32_t y, std::int32_t z) {
   return (static_cast<std::uint32_t>(x) * 0x9E3779B1u + static_cast<std::uint32_t>(y) * 0x85EBCA77u +
@@ -51,9 +51,9 @@ constexpr std::uint32_t PlaceNumber(std::int32_t segment, std::int32_t x, std::i
 
 /// A row of pixels as points.
 struct RowPoints {
-  float* weighted_m;       ///< four a pixel: the weight, and x, y and z times it, relative to the sensor's origin
-  std::int32_t* places;    ///< four a pixel: the words of its PointPlace
-  std::uint32_t* numbers;  ///< of the places; kNoPoint of a pixel without a valid point
+  float* weighted_m;       ///< four per pixel: the weight, and weighted x, y, z, relative to the sensor's origin
+  std::int32_t* places;    ///< four per pixel: the words of its PointPlace
+  std::uint32_t* numbers;  ///< hashes of the places; kNoPoint for a pixel without a valid point
   static constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
 };
 
@@ -61,7 +61,7 @@ struct RowPoints {
 void ProjectRow(const float* depth_m, const std::uint32_t* segments, int width, const RowGeometry& geometry,
                 const RowPoints& points);
 
-/// Four a pixel: red, green and blue times the weight, and 1. All kNoColor where `colors` is null.
+/// Four per pixel: red, green and blue times the weight, and 1. All kNoColor if `colors` is null.
 inline constexpr std::uint8_t kNoColor = 128;
 void WeighColors(const Color* colors, const float* weighted_m, int width, float* weighted);
 

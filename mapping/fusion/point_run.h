@@ -8,11 +8,11 @@
 
 namespace dhpmap {
 
-/// Points of one segment in one voxel that lie near each other in the frame, summed up.
+/// The sum of points of one segment in one voxel that are close together in the frame.
 struct PointRun {
   PointPlace place;
-  Eigen::Array4f weighted_m = Eigen::Array4f::Zero();      ///< the weight, and the sum of the points times theirs
-  Eigen::Array4f weighted_color = Eigen::Array4f::Zero();  ///< red, green, blue, and how many points
+  Eigen::Array4f weighted_m = Eigen::Array4f::Zero();      ///< the weight, and the weighted sum of the points
+  Eigen::Array4f weighted_color = Eigen::Array4f::Zero();  ///< red, green, blue, and the number of points
 
   [[nodiscard]] float weight() const { return weighted_m[0]; }
   [[nodiscard]] Eigen::Vector3f weighted_sum_m() const { return weighted_m.tail<3>(); }

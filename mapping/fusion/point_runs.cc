@@ -10,12 +10,12 @@
 namespace dhpmap {
 namespace {
 
-// Sizes of the parts that are worked on in parallel: fixed, so that the result does not depend on the thread count.
+// Sizes of the parts that run in parallel: fixed, so that the result does not depend on the number of threads.
 constexpr int kRowsPerBand = 16;
 constexpr std::size_t kPointsPerBand = 4096;
 
-/// Finds the run that a point of a band belongs to. Of places that have the same number the latest is known: another
-/// begins a new run when it comes back. No search, as most of what a processor guesses about one is wrong.
+/// Finds the run to which a point of a band belongs. Of places with the same hash only the latest is known; an older
+/// one starts a new run when it recurs. There is no search, because its branches would be mispredicted.
 class KnownRuns {
  public:
   explicit KnownRuns(std::vector<PointRun>& runs) : runs_(runs) {}
@@ -36,7 +36,7 @@ class KnownRuns {
   std::array<std::uint32_t, std::size_t{1} << kPlaceBits> known_{};  // 1 + index; 0: none
 };
 
-/// What a part of a row is worked on with: so short that it stays in the first cache.
+/// Scratch memory for a part of a row: short enough for the L1 cache.
 struct RowRoom {
   static constexpr std::size_t kWidth = 128;
   std::array<Eigen::Array4f, kWidth> weighted_m, colors;

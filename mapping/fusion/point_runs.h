@@ -17,10 +17,10 @@
 
 namespace dhpmap {
 
-/// The runs of a frame, band by band, by their first points. Bands do not depend on the number of threads.
+/// The runs of a frame by band, in the order of their first points. Bands do not depend on the number of threads.
 using RunBands = std::vector<std::vector<PointRun>>;
 
-/// The sensor on the grid: axes, and the origin split into its voxel and the rest, so that single precision holds the
+/// The sensor on the grid: its axes, and its origin as a voxel and an offset, so that single precision resolves a
 /// millimetre at any distance from the map's origin.
 struct SensorOnGrid {
   Eigen::Matrix3f R_grid_sensor;
@@ -42,9 +42,9 @@ struct SensorOnGrid {
   }
 };
 
-/// Projects every valid point in range onto the grid and sums up those of a band that lie in one voxel and segment: all
-/// but a few of them in one run. Writes all bands, which keep their memory. Those of a frame that is found too large
-/// meanwhile may be empty.
+/// Projects every valid point in range onto the grid, and sums up the points of a band in the same voxel and segment,
+/// nearly always in one run. Writes all bands and reuses their memory. If the frame turns out to be too large, some
+/// bands may be empty.
 void CollectCameraRuns(const DepthCameraData& data, const SensorOnGrid& grid, const IntegrationConfig& config,
                        ThreadPool& pool, FrameTally& tally, RunBands& bands);
 void CollectLidarRuns(const LidarData& data, const SensorOnGrid& grid, const IntegrationConfig& config,

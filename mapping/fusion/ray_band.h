@@ -7,12 +7,12 @@
 
 namespace dhpmap {
 
-/// The part of a bundle's ray that is walked, from the sensor's origin: +-truncation about its end. Where it grazes its
-/// plane it is longer, as far as the cells around the surface need it and the plane was seen; at most a block's side,
-/// so that it stays in the blocks around its end.
+/// The traversed part of a bundle's ray, measured from the sensor's origin: +-truncation around its end. A ray that
+/// grazes its plane has a longer band, as far as the cells around the surface need it and the plane was seen. At most
+/// one block's side, so that the band stays in the blocks around its end.
 struct RayBand {
-  /// Across the surface: as far from it as the corners of the cells in which it lies, nearly. To walk on for all of the
-  /// truncation made no better surfaces.
+  /// Reach across the surface: nearly the distance of the farthest corner of a cell that contains it. The whole
+  /// truncation gave no better surfaces.
   static constexpr float kCellReach_vox = 1.5f;
 
   float from_m, to_m;

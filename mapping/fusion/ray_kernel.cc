@@ -15,17 +15,17 @@ namespace {
 constexpr int kLanes = static_cast<int>(kRayLanes);
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-/// The centre of a voxel that a ray crosses is at most so far from it.
+/// Largest distance of a crossed voxel's centre from the ray.
 constexpr float kHalfDiagonal_vox = 0.87f;
 
-/// Where rays are along one axis.
+/// State of the lanes along one axis.
 struct AxisLanes {
   float direction[kRayLanes], t_next[kRayLanes], t_step[kRayLanes], along_step_m[kRayLanes], across_step_m[kRayLanes];
   float centre_m[kRayLanes];
   std::int32_t index[kRayLanes], sense[kRayLanes];
 };
 
-/// What they share.
+/// State of the lanes common to all axes.
 struct Lanes {
   float range_m[kRayLanes], from_m[kRayLanes], to_m[kRayLanes], along_m[kRayLanes], across_m[kRayLanes];
   std::int32_t num_voxels[kRayLanes];

@@ -9,7 +9,7 @@
 
 namespace dhpmap {
 
-/// Number of rays that are walked side by side, one per lane.
+/// Number of rays traced side by side, one per lane.
 inline constexpr std::size_t kRayLanes = 16;
 using LaneFloats = std::array<float, kRayLanes>;
 
@@ -17,7 +17,7 @@ using LaneFloats = std::array<float, kRayLanes>;
 struct RayLanes {
   LaneFloats sum_x_m, sum_y_m, sum_z_m, weight;
   LaneFloats normal_x, normal_y, normal_z, offset_m, before_m, behind_m;
-  /// The sensor's voxel, from the first one of the 3^3 blocks around the one in which the ray ends.
+  /// The sensor's voxel, relative to the first voxel of the 3^3 blocks around the block in which the ray ends.
   std::array<std::int32_t, kRayLanes> from_corner_x, from_corner_y, from_corner_z;
 };
 
@@ -28,16 +28,16 @@ struct RayGrid {
 
 /// The voxels that rays cross within their bands (see RayBand), by step; each step has one voxel per lane.
 struct WalkedVoxels {
-  /// The truncation, and any longer band, is at most a block's side: a ray crosses at most 2 * 8 * sqrt(3) + 3, so 30,
-  /// borders. A ray that crosses more, because of single precision far from its sensor, is cut.
+  /// The band is at most one block's side long before and behind the end, so a ray crosses at most 2 * 8 * sqrt(3) + 3,
+  /// or 30, borders. A ray that crosses more, because of rounding far from its sensor, is cut short.
   static constexpr std::size_t kMostSteps = 40;
-  /// The number of a voxel: its block (x + 3 y + 9 z of 3^3, 13 is the middle one) times kBlockVoxels, plus the voxel
-  /// in the block, plus kLabelled if labels are written, too. kNone: no voxel, or none to be written.
+  /// Index of a voxel: its block (x + 3 y + 9 z of 3^3, 13 is the middle one) times kBlockVoxels, plus the voxel in the
+  /// block, plus kLabelled if labels are written, too. kNone: no voxel, or one that is not written.
   static constexpr std::int32_t kNone = -1, kLabelled = 1 << 14;
 
   std::array<std::int32_t, kRayLanes> num_steps;
   std::array<std::array<std::int32_t, kRayLanes>, kMostSteps> voxel;
-  std::array<LaneFloats, kMostSteps> distance_m;  ///< of its centre to the bundle's plane
+  std::array<LaneFloats, kMostSteps> distance_m;  ///< of its centre from the bundle's plane
 };
 
 /// Walks the rays, as GridRay does for one ray, and computes the distances of the crossed voxels from their planes, as

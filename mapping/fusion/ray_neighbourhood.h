@@ -13,11 +13,11 @@
 
 namespace dhpmap {
 
-/// What one submap stores where one block of a ray's neighbourhood lies.
+/// The data of one submap for one block of a ray's neighbourhood.
 struct Neighbour {
   TsdfBlock* tsdf = nullptr;
   LabelBlock* labels = nullptr;
-  const GoneBlock* gone = nullptr;   ///< what was looked through since it was observed; null: nothing
+  const GoneBlock* gone = nullptr;   ///< the gone counts; null: none
   const BundleCell* ends = nullptr;  ///< bundles of the same segment that end here
   const VoxelMask* clear = nullptr;  ///< voxels that are kept clear; null: none
   std::uint32_t tsdf_number = VoxelJournal::kNoNotes, labels_number = VoxelJournal::kNoNotes;
@@ -68,7 +68,7 @@ class RayNeighbourhood {
     return neighbour;
   }
 
-  /// Asks memory for the whole block, which is in no cache unless it was copied: rays want it here and there.
+  /// Prefetches the whole block. It is not in any cache unless it was just copied, and rays access it in no order.
   static void Fetch(const TsdfBlock& block) {
     constexpr int kToWrite = 1;
     const auto* const bytes = reinterpret_cast<const char*>(&block);

@@ -23,7 +23,7 @@ class Islands {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// The older root stays, so roots are numbered in the order of the bundles.
+  /// Keeps the older root, so roots are numbered in the order of the bundles.
   void Join(std::uint32_t a, std::uint32_t b) {
     a = RootOf(a), b = RootOf(b);
     parent_[std::max(a, b)] = std::min(a, b);
@@ -35,7 +35,7 @@ class Islands {
 
 constexpr std::int32_t FloorDiv(std::int32_t a, std::int32_t b) { return (a >= 0 ? a : a - b + 1) / b; }
 
-/// For each bundle the number of its part, in the order of their first bundles.
+/// The part of each bundle. Parts are numbered in the order of their first bundles.
 std::vector<std::uint32_t> FindParts(const SegmentBundles& segment, int gap_vox, std::uint32_t& num_parts) {
   constexpr std::uint32_t kNone = IndexMap<BlockIndex>::kNone, kNoPart = kNone;
   IndexMap<BlockIndex> numbers;   // of cells of gap_vox voxels
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> FindParts(const SegmentBundles& segment, int gap_vox,
   }
   for (std::uint32_t number = 0; number < cells.size(); ++number) {
     const BlockIndex c = cells[number];
-    for (int n = 14; n < 27; ++n) {  // half of the neighbours: the other half finds this one
+    for (int n = 14; n < 27; ++n) {  // half of the neighbours: the others find this one
       const std::uint32_t other = numbers.Find({c.x + n % 3 - 1, c.y + n / 3 % 3 - 1, c.z + n / 9 - 1});
       if (other != kNone) islands.Join(number, other);
     }
@@ -72,7 +72,7 @@ std::vector<std::uint32_t> FindParts(const SegmentBundles& segment, int gap_vox,
   return cell_of;
 }
 
-/// Nothing if that takes more cells than `cells_left`, from which they are taken. Every part has one at least.
+/// Nothing if the parts need more cells than `cells_left`, which it decreases. Every part has at least one cell.
 std::optional<std::vector<SegmentBundles>> Cut(const SegmentBundles& segment, const std::vector<std::uint32_t>& part_of,
                                                std::uint32_t num_parts, std::size_t& cells_left) {
   if (num_parts > cells_left) return std::nullopt;

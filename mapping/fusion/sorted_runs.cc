@@ -8,7 +8,7 @@ namespace dhpmap {
 std::vector<RunsOfSegment> SortRunsBySegment(std::span<const SegmentInfo> table, const RunBands& bands,
                                              std::vector<std::uint32_t>& positions,
                                              std::vector<const PointRun*>& sorted) {
-  // Positions: 0 for points of no known object, then 1 + row of the table.
+  // Positions: 0 for points of no known object, else 1 + row of the table.
   std::unordered_map<std::uint32_t, std::uint32_t> position_of;
   for (std::size_t row = 0; row < table.size(); ++row) {
     position_of[table[row].id.value] = static_cast<std::uint32_t>(row + 1);

@@ -11,14 +11,14 @@
 
 namespace dhpmap {
 
-/// Which of the sorted runs are a segment's.
+/// The range of the sorted runs that belongs to one segment.
 struct RunsOfSegment {
-  int row;  ///< of the table, or -1: of no known object
+  int row;  ///< of the table, or -1 for no known object
   std::size_t begin, end;
 };
 
-/// The runs of each segment together, otherwise in their order; they stay where they are in `bands`. Gives the segments
-/// that have any: first that of unknown objects, then by row. `positions`: to work with.
+/// Sorts the runs by segment, otherwise in their order; the runs stay in place in `bands`. Returns the segments with
+/// runs: first that of unknown objects, then by row. `positions` is scratch memory.
 std::vector<RunsOfSegment> SortRunsBySegment(std::span<const SegmentInfo> table, const RunBands& bands,
                                              std::vector<std::uint32_t>& positions,
                                              std::vector<const PointRun*>& sorted);

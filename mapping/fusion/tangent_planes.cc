@@ -11,21 +11,22 @@
 namespace dhpmap {
 namespace {
 
-/// Above this cosine the band along the ray is as good as the one across the plane.
+/// Above this cosine the distance along the ray is as good as the distance to the plane.
 constexpr float kFaceOnCosine = 0.7f;
-/// Cosine between ray and normal below which a plane's slope is too uncertain to say where the ray meets it: 3 degrees,
-/// a road at 30 m.
+/// Below this cosine between ray and normal, the plane's slope is too uncertain to tell where the ray meets it: 3
+/// degrees, a road at 30 m.
 constexpr float kLeastCosine = 0.05f;
-/// A bundle farther off the plane lies on something else.
+/// A bundle farther from the plane lies on another surface.
 constexpr float kMostOffPlane_vox = 0.5f;
-/// Half the length of what is spread evenly, in standard deviations.
+/// Half the length of a uniform distribution, in standard deviations.
 constexpr float kHalfLength = 1.73f;
-/// As far as the blocks around a ray's end are sure to reach.
+/// The blocks around a ray's end reach at least this far.
 constexpr float kMostReach_vox = kBlockSide;
 
-/// Windows of one block: at each level, the 2^3 cubes around each corner of its cubes, also those of the blocks around.
+/// The windows of one block: at each level, the 2^3 cubes around each corner of its cubes, including cubes of
+/// neighbouring blocks.
 struct Window {
-  std::array<std::uint8_t, 8> neighbour;  ///< of 3^3 blocks, 13 the own one
+  std::array<std::uint8_t, 8> neighbour;  ///< in the 3^3 blocks; 13 is the own one
   std::array<std::uint8_t, 8> cube;       ///< in that block
 };
 constexpr std::array<std::size_t, 4> kFirstWindow = {0, 0, 125, 152};  ///< of each level: 5^3, 3^3, 2^3
@@ -56,10 +57,10 @@ constexpr std::array<Window, kNumWindows> MakeWindows() {
 }
 constexpr std::array<Window, kNumWindows> kWindows = MakeWindows();
 
-/// The planes of one block's bundles, fitted when first asked for.
+/// The planes of one block's bundles, each fitted at its first use.
 class BlockPlanes {
  public:
-  /// `pyramid`: to work with.
+  /// `pyramid` is shared scratch memory.
   BlockPlanes(const SegmentBundles& segment, float voxel_size_m, MomentPyramid& pyramid)
       : segment_(segment), voxel_size_m_(voxel_size_m), pyramid_(pyramid) {
     pyramid_.Build(segment);
@@ -72,7 +73,7 @@ class BlockPlanes {
     is_fitted_.fill(false);
   }
 
-  /// The narrowest window around the voxel in which there is enough for a plane or against it.
+  /// The plane of the narrowest window around the voxel that settles whether there is one.
   const PlaneFit& At(int linear) {
     for (int level = 1; level < MomentPyramid::kNumLevels; ++level) {
       const PlaneFit& fit = InWindow(level, linear);
@@ -110,7 +111,7 @@ class BlockPlanes {
       cubes[num_cubes++] = cube;
       num_bundles += cube->num_bundles();
     }
-    if (num_bundles < PlaneFit::kLeastBundles) return {};  // as most windows of a scan: not worth adding up
+    if (num_bundles < PlaneFit::kLeastBundles) return {};  // true of most windows of a scan: not worth summing up
     PlaneMoments sum = *cubes[0];
     for (std::size_t i = 1; i < num_cubes; ++i) sum.Add(*cubes[i]);
     return FitPlane(sum, voxel_size_m_);
@@ -131,7 +132,7 @@ class BlockPlanes {
   std::array<PlaneFit, kNumWindows> fits_;
 };
 
-/// `mean_m` of the fit, from the sensor's origin, and the bundle's end.
+/// `mean_m` of the fit and the bundle's end are relative to the sensor's origin.
 TangentPlane PlaneFor(const Eigen::Vector3f& end_m, const PlaneFit& fit, PointSpacing spacing, float voxel_size_m) {
   const float range_m = end_m.norm();
   const Eigen::Vector3f direction = end_m / range_m;
@@ -144,7 +145,7 @@ TangentPlane PlaneFor(const Eigen::Vector3f& end_m, const PlaneFit& fit, PointSp
   plane.offset_m = -plane.normal.dot(fit.mean_m);
   if (std::abs(plane.normal.dot(end_m) + plane.offset_m) > kMostOffPlane_vox * voxel_size_m) return across_ray;
   if (spacing == PointSpacing::kDense || cosine > kFaceOnCosine) return plane;
-  // What was seen of the plane lies about the fit's mean: farther out a ray knows nothing of it.
+  // The plane was seen around the fit's mean only; it does not support longer rays.
   const float sine = std::sqrt(1 - cosine * cosine);
   const Eigen::Vector3f in_plane = (direction + plane.normal * cosine) / sine;
   const float seen_m = kHalfLength * fit.SpreadAlong_m(in_plane);

@@ -7,10 +7,10 @@
 
 namespace dhpmap {
 
-/// How a sensor's points lie on a surface.
+/// The distribution of a sensor's points on a surface.
 enum class PointSpacing {
-  kDense,  ///< a depth image: from voxel to voxel, so that the bands of neighbouring rays meet
-  kScan    ///< a LiDAR: on rings, apart by more the more the rays graze
+  kDense,  ///< a depth image: a point in every voxel, so the bands of neighbouring rays meet
+  kScan    ///< a LiDAR: on rings, whose distance grows with the angle of incidence
 };
 
 /// Scratch memory for fitting planes, reused between segments. Not thread-safe.
@@ -21,16 +21,16 @@ struct TangentPlaneRoom {
   [[nodiscard]] std::size_t BufferBytes() const { return pyramid.BufferBytes() + wide.BufferBytes(); }
 };
 
-/// Lays a plane through what was seen around each bundle and writes it to Bundle::plane. It goes through the weighted
-/// mean of the means of the segment's bundles in a window of 4^3 voxels, across their smallest principal axis. A window
-/// is that of all bundles in its inner 2^3 voxels, so it is fitted once for these. Where it holds too few bundles, or
-/// these are in a line, so is one of 8^3 and then 16^3 voxels. If there is no plane (too few, too thick, seen nearly
-/// edge on, not through the bundle) it is that across the ray through the bundle's end, to which the distance is that
-/// along the ray.
-/// Where points of a scan are still in a line, so are those of wider windows (WidePlanes): a road's rings lie metres
-/// apart. With points of a scan the plane also says how far along the ray there are others in it (before_m, behind_m).
-/// Depends on the segment's bundles alone and adds them up in their order. Segments may be done at once, with a room
-/// each to work in.
+/// Fits a plane to the surroundings of each bundle and writes it to Bundle::plane. The plane goes through the weighted
+/// mean of the bundles in a window of 4^3 voxels, across their smallest principal axis. All bundles in the inner 2^3
+/// voxels share the window and its plane. If the window holds too few bundles, or they are on a line, windows of 8^3
+/// and then 16^3 voxels follow. If there is no plane (too few bundles, too thick, seen nearly edge on, off the bundle),
+/// Bundle::plane is perpendicular to the ray at the bundle's end; the distance is then that along the ray.
+///
+/// If points of a scan are on a line in all of these windows, wider ones follow (WidePlanes): a road's rings lie metres
+/// apart. With points of a scan the plane also records how far along the ray it has other points (before_m, behind_m).
+/// The result depends only on the segment's bundles and sums them in order. Segments may run in parallel, with a room
+/// each.
 void FitTangentPlanes(double voxel_size_m, PointSpacing spacing, TangentPlaneRoom& room, SegmentBundles& segment);
 
 }  // namespace dhpmap

@@ -4,7 +4,7 @@
 namespace dhpmap {
 
 void VoxelJournal::TakeBack() noexcept {
-  while (num_voxels_ > 0) {  // a voxel may have been noted several times: the first note is what was there
+  while (num_voxels_ > 0) {  // backwards: the first note of a voxel holds its old value
     const Voxel& voxel = voxels_[--num_voxels_];
     TsdfBlock& block = *blocks_[voxel.place / kBlockVoxels];
     const std::size_t linear = voxel.place % kBlockVoxels;

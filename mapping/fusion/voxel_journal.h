@@ -13,18 +13,18 @@
 
 namespace dhpmap {
 
-/// What a frame overwrote in blocks that it wrote in place (Submap::BlockInPlace), to take it back if the frame fails.
+/// The old values of voxels that a frame overwrote in place (Submap::BlockInPlace), to restore them if the frame fails.
 /// Keeps its buffers. Thread-compatible; threads that write different submaps have one each.
 class alignas(kCacheLineBytes) VoxelJournal {
  public:
-  /// Of a layer that is written without notes.
+  /// The block number of a layer that is written without notes.
   static constexpr std::uint32_t kNoNotes = 0;
-  /// The most notes that one observation of a voxel takes.
+  /// Largest number of notes for one observation of a voxel.
   static constexpr std::size_t kMostNotes = 2;
 
-  /// Whether it can take notes of another block.
+  /// Whether it can record another block.
   [[nodiscard]] bool TakesBlocks() const { return std::max(blocks_.size(), label_blocks_.size()) < kMostBlocks; }
-  /// The number by which voxels of a block are noted. The block must be there until Forget or TakeBack.
+  /// The number under which a block's voxels are noted. The block must exist until Forget or TakeBack.
   std::uint32_t NumberOf(TsdfBlock& block) {
     blocks_.push_back(&block);
     return static_cast<std::uint32_t>(blocks_.size());
@@ -34,25 +34,25 @@ class alignas(kCacheLineBytes) VoxelJournal {
     return static_cast<std::uint32_t>(label_blocks_.size());
   }
 
-  /// Makes room for notes of so many observations.
+  /// Reserves room for the notes of so many observations.
   void Reserve(std::size_t num_observations) {
     const std::size_t num = num_observations * kMostNotes;
     if (num_voxels_ + num > voxels_.size()) Grow(num_voxels_ + num, voxels_);
     if (num_labels_ + num > labels_.size()) Grow(num_labels_ + num, labels_);
   }
-  /// Before a voxel is overwritten. Needs room.
+  /// Call it before a voxel is overwritten, after Reserve.
   void Note(std::uint32_t number, std::size_t linear, const TsdfBlock& block) {
     voxels_[num_voxels_++] = {block.distance_m[linear], block.weight[linear], PlaceOf(number, linear),
                               block.color[linear]};
   }
-  /// After LabelBlock::AddInPlace. Needs room.
+  /// Call it after LabelBlock::AddInPlace; Reserve comes before.
   void NoteLabel(std::uint32_t number, int linear) {
     labels_[num_labels_++] = PlaceOf(number, static_cast<std::size_t>(linear));
   }
 
-  /// Writes back what was there before, and forgets it.
+  /// Restores the old values and forgets them.
   void TakeBack() noexcept;
-  /// What was written stays.
+  /// Keeps what was written.
   void Forget() noexcept;
   [[nodiscard]] std::size_t BufferBytes() const {
     return CapacityBytes(blocks_) + CapacityBytes(label_blocks_) + CapacityBytes(voxels_) + CapacityBytes(labels_);
@@ -85,11 +85,11 @@ class alignas(kCacheLineBytes) VoxelJournal {
 /// Thread-compatible.
 class FrameJournal {
  public:
-  /// Requires that all are forgotten. By the order of submaps by size, so that buffers fit the next frame.
+  /// Requires that all are forgotten. The order is that of the submaps by size, so that buffers fit the next frame.
   std::span<VoxelJournal> OfSubmaps(std::size_t count);
   void TakeBack() noexcept;
   void Forget() noexcept;
-  /// After Forget or TakeBack.
+  /// Call it after Forget or TakeBack.
   void GiveBuffersBack() noexcept;
 
  private:

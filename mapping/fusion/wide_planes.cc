@@ -6,13 +6,13 @@
 namespace dhpmap {
 namespace {
 
-/// Of the cubes of a level, in voxels: 16, then 32.
+/// Side of a level's cubes, in voxels: 16, then 32.
 constexpr int CubeSideLog2(std::size_t level) { return kBlockSideLog2 + 1 + static_cast<int>(level); }
 
 }  // namespace
 
 void WidePlanes::Reset() {
-  if (is_summed_) *this = {};  // to clear tables costs what they are large, and few segments need them
+  if (is_summed_) *this = {};  // clearing large tables is slow, and few segments use them
 }
 
 const PlaneFit& WidePlanes::At(VoxelIndex voxel, const SegmentBundles& segment, MomentPyramid& pyramid,

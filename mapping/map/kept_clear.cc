@@ -16,7 +16,7 @@ bool IsName(std::string_view name) {
                      [&](char c) { return is_alphanumeric(c) || c == '.' || c == '_' || c == '-'; });
 }
 
-/// So that squares of distances stay numbers.
+/// Keeps squares of distances finite.
 constexpr double kMost_m = 1e9;
 
 bool IsWithinReach(const Eigen::Vector3d& p_m) { return (p_m.array().abs() <= kMost_m).all(); }

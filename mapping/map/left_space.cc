@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::int64_t kMostInsideBlocks = 4096;
 
-/// What is known of the voxels of one block.
+/// State of one block's voxels.
 struct Place {
   VoxelMask own{};      ///< the object shows them
-  VoxelMask other{};    ///< they were looked through, or another object shows something there
+  VoxelMask other{};    ///< looked through, or surface of another object
   VoxelMask reached{};  ///< behind its surface, or reached from there
 };
 
@@ -30,8 +30,7 @@ constexpr std::uint64_t kFirstX = 0x0101010101010101u, kLastX = kFirstX << 7;
 constexpr std::uint64_t kFirstRow = 0xFF;
 constexpr int kRow_bits = kBlockSide, kToLastRow_bits = kBlockSide * (kBlockSide - 1);
 
-/// Marks what voxels of `may` are reached from those that are reached already, from neighbour to neighbour within the
-/// block.
+/// Marks the voxels of `may` that are reached from marked ones, from neighbour to neighbour within the block.
 void SpreadWithin(const VoxelMask& may, VoxelMask& reached) {
   for (bool is_new = true; is_new;) {
     is_new = false;
@@ -52,7 +51,7 @@ struct BlockStep {
 };
 constexpr BlockStep kSteps[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
-/// The voxels of the next block in that direction that touch one of the mask.
+/// The voxels of the next block in that direction that are adjacent to the mask.
 VoxelMask Across(const VoxelMask& mask, const BlockStep& step) {
   VoxelMask next{};
   if (step.dz > 0) next.front() = mask.back();
@@ -73,7 +72,7 @@ VoxelMask Both(const VoxelMask& a, const VoxelMask& b) {
   return both;
 }
 
-/// Those of `a` that are not in `b`.
+/// The difference a \ b.
 VoxelMask Without(const VoxelMask& a, const VoxelMask& b) {
   VoxelMask rest{};
   for (std::size_t z = 0; z < rest.size(); ++z) rest[z] = a[z] & ~b[z];
@@ -84,11 +83,11 @@ void AddTo(VoxelMask& mask, const VoxelMask& more) {
   for (std::size_t z = 0; z < mask.size(); ++z) mask[z] |= more[z];
 }
 
-/// A box of voxels, both ends in it.
+/// A box of voxels, both ends included.
 struct VoxelBox {
   VoxelIndex low{INT32_MAX, INT32_MAX, INT32_MAX}, high{INT32_MIN, INT32_MIN, INT32_MIN};
 
-  /// By those of a block that are in the mask.
+  /// Grows to include the block's voxels in the mask.
   void Extend(BlockIndex index, const VoxelMask& mask) {
     std::uint64_t slices = 0, rows = 0, row = 0;
     for (std::size_t z = 0; z < mask.size(); ++z) {
@@ -107,7 +106,7 @@ struct VoxelBox {
     high.y = std::max(high.y, first.y + HighestOf(rows) / kRow_bits);
     extend(low.z, high.z, first.z, slices);
   }
-  /// Those of a block.
+  /// The block's voxels in the box.
   [[nodiscard]] VoxelMask In(BlockIndex index) const {
     const VoxelIndex first = VoxelIn(index, 0);
     const std::uint64_t row = Bits(low.x - first.x, high.x - first.x), rows = Bits(low.y - first.y, high.y - first.y);
@@ -121,7 +120,7 @@ struct VoxelBox {
     return mask;
   }
   [[nodiscard]] bool empty() const { return low.x > high.x; }
-  /// All of a block.
+  /// Whether the box contains the whole block.
   [[nodiscard]] bool Holds(BlockIndex index) const {
     const VoxelIndex first = VoxelIn(index, 0), last = VoxelIn(index, kBlockVoxels - 1);
     return low.x <= first.x && low.y <= first.y && low.z <= first.z && last.x <= high.x && last.y <= high.y &&
@@ -133,9 +132,9 @@ struct VoxelBox {
   }
 
  private:
-  /// Of what is not 0.
+  /// Requires `bits` != 0.
   static int HighestOf(std::uint64_t bits) { return 63 - std::countl_zero(bits); }
-  /// Of the eight bits those from one to another, both in it.
+  /// Bits `from` to `to` of eight, both included.
   static std::uint64_t Bits(std::int32_t from, std::int32_t to) {
     std::uint64_t bits = 0;
     for (int i = std::max(from, 0); i <= std::min(to, kBlockSide - 1); ++i) bits |= std::uint64_t{1} << i;
@@ -164,8 +163,8 @@ class Leaving {
   }
 
  private:
-  /// The box of what is nearer to the surface than half a voxel, or behind it. Returns whether it is there, and not too
-  /// large for an inside: then nothing more of it is read.
+  /// Finds the box of voxels within half a voxel of the surface, or behind it. Returns false if there is none, or if it
+  /// is too large for an inside; nothing more of it is read then.
   bool FindSurface() {
     const auto half_m = static_cast<float>(0.5 * submap_.info().voxel_size_m);
     for (const BlockEntry& entry : submap_.blocks().entries()) {
@@ -177,7 +176,7 @@ class Leaving {
     return !surface_.empty();
   }
 
-  /// What the object shows, tile by tile.
+  /// Visits the voxels that the object shows, tile by tile.
   template <typename Visitor>
   void VisitShown(Visitor&& visit) const {
     std::vector<const TileEntry*> tiles;
@@ -206,7 +205,7 @@ class Leaving {
     }
   }
 
-  /// A block at a time, whole rows of it at once: what is reached is the same in any order.
+  /// Works by blocks and whole rows: the result does not depend on the order.
   void TakeInside() {
     while (!open_.empty()) {
       const BlockIndex at = open_.back();
@@ -219,7 +218,7 @@ class Leaving {
     for (auto& [index, place] : places_) AddTo(place.own, place.reached);
   }
 
-  /// By tile.
+  /// The vacated voxels by tile.
   [[nodiscard]] std::map<TileIndex, FreeBlocks> Left() const {
     std::map<TileIndex, FreeBlocks> left;
     for (const auto& [index, place] : places_) {
@@ -230,12 +229,12 @@ class Leaving {
     return left;
   }
 
-  /// What of a block may be reached: nobody has seen it, in the box around the surface.
+  /// The voxels of a block that may be inside: unseen, and in the box around the surface.
   [[nodiscard]] VoxelMask Inside(BlockIndex index, const Place& place) const {
     return Without(Without(surface_.In(index), place.own), place.other);
   }
 
-  /// From a neighbour.
+  /// Marks voxels reached from a neighbouring block.
   void Enter(BlockIndex index, const VoxelMask& from_beside) {
     if (HasNone(Both(from_beside, surface_.In(index)))) return;
     Place& place = PlaceAt(index);
@@ -262,7 +261,7 @@ class Leaving {
     return *last_;
   }
 
-  /// Or looked through.
+  /// Voxels that other objects show, or that sensors looked through.
   [[nodiscard]] VoxelMask ShownByOthers(BlockIndex index) const {
     const FreeTile* free = free_space_.Find(TileOf(index));
     VoxelMask shown = free != nullptr ? free->MaskOf(CellOf(index)) : VoxelMask{};
@@ -275,13 +274,13 @@ class Leaving {
 
   const Submap& submap_;
   const FreeSpace& free_space_;
-  std::vector<const Submap*> others_;                ///< that may lie there
-  std::deque<std::pair<BlockIndex, Place>> places_;  ///< none moves when one is added
+  std::vector<const Submap*> others_;                ///< objects that may overlap
+  std::deque<std::pair<BlockIndex, Place>> places_;  ///< a deque, so that adding moves none
   IndexMap<BlockIndex> numbers_;                     ///< position in places_
   BlockIndex last_index_;
   Place* last_ = nullptr;
   VoxelBox surface_;
-  std::vector<BlockIndex> open_;  ///< of which something is reached that has not gone on yet
+  std::vector<BlockIndex> open_;  ///< blocks with newly reached voxels
 };
 
 std::int64_t NewestLook_ns(const FreeSpace& space) {
@@ -300,7 +299,7 @@ void AddLeft(const MovedAway& state, FreeSpace& vacated) {
 std::shared_ptr<const FreeSpace> WithLeft(const MovedAway& state, const std::shared_ptr<const FreeSpace>& vacated) {
   auto with_left = std::make_shared<FreeSpace>(*vacated);
   with_left->ShareTiles();
-  with_left->set_generation(vacated->generation() + 1);  // or tiles of generation 0 would be written to in place
+  with_left->set_generation(vacated->generation() + 1);  // else tiles of generation 0 would be written in place
   try {
     AddLeft(state, *with_left);
   } catch (const StatusError&) {

@@ -28,8 +28,8 @@ const Submap* FindIn(const SubmapList& submaps, SubmapId id) {
   return it != submaps.end() && (*it)->id() == id ? it->get() : nullptr;
 }
 
-/// What is on the disk only: its blobs go with the submap, and older states still answer, and so do its clones. Throws
-/// StatusError where which tiles there are cannot be read and is not lost: then it can be later.
+/// Reads tiles that are only on disk. Their blobs are deleted with the submap, but older states and clones still need
+/// them. Throws StatusError if the list of tiles cannot be read now but is not lost: the call may be repeated later.
 void ReadAll(const Submap& submap) {
   const auto is_lost = [](StatusCode code) {
     return code == StatusCode::kDataLoss || code == StatusCode::kFailedPrecondition || code == StatusCode::kAborted;
@@ -41,11 +41,11 @@ void ReadAll(const Submap& submap) {
     if (!is_lost(error.status().code())) throw;
   }
   for (const TileEntry& tile : tiles) {
-    if (tile.tile->loader() != nullptr && tile.tile->loader()->HasOwnNames()) continue;  // which goes with no submap
+    if (tile.tile->loader() != nullptr && tile.tile->loader()->HasOwnNames()) continue;  // spilled: stays on disk
     try {
       (void)tile.tile->entries();
     } catch (const StatusError&) {
-      continue;  // whoever asks an older state for it is told
+      continue;  // a later read through an older state returns the error
     }
   }
 }
@@ -76,7 +76,7 @@ const std::shared_ptr<const FreeSpace>& MapSnapshot::vacated() const {
   if (vacated_ == nullptr) return noted_vacated_;
   const MutexLock lock(vacated_->mutex);
   if (vacated_->layer == nullptr) {
-    const PageReader::Passing passing;  // it is kept: who happens to ask for it first must not decide what it is
+    const PageReader::Passing passing;  // the result is for all readers, so it must not count for this one
     vacated_->layer = WithLeft({*Find(*leaving_), submaps_, info_.config, *free_space_}, noted_vacated_);
   }
   return vacated_->layer;
@@ -104,7 +104,7 @@ Map::Map(std::shared_ptr<const MapSnapshot> snapshot)
       leaving_(snapshot->leaving()),
       published_(std::move(snapshot)),
       changed_(false) {
-  // Blocks of the snapshot carry older generations, of this process or 0: start above them all.
+  // The snapshot's blocks carry older generations, of this process or 0: start above all of them.
   for (const auto& submap : submaps_) generation_ = std::max(generation_, submap->generation() + 1);
   generation_ = std::max({generation_, free_space_->generation() + 1, vacated_->generation() + 1});
 }
@@ -179,8 +179,8 @@ Submap* Map::Clone(SubmapId id) {
   const Submap* original = Find(id);
   if (original == nullptr) return nullptr;
   BeginChange();
-  // From here on both hold the same blocks, so neither may write to them in place: what was made in this generation
-  // must count as old. An original that a snapshot holds is left alone: nothing of it changes.
+  // From here on both share the same blocks, so neither may write them in place: blocks of this generation must count
+  // as old. If a snapshot holds the original, nothing of it is written in place anyway.
   if (original->generation() == generation_) FindMutable(id)->ShareBlocks();
   auto copy = std::make_shared<Submap>(*original);
   copy->set_generation(generation_);
@@ -244,7 +244,7 @@ std::shared_ptr<const MapSnapshot> Map::EvictPages(bool even_used, TileSpill* sp
   if (changed_ || published_ == nullptr) return published_;
   std::unordered_map<const BlockTile*, std::shared_ptr<const BlockTile>> left;
   const EvictionRule rule{.even_used = even_used, .spill = spill, .written_lately = parts_before_, .left = &left};
-  SubmapList same = submaps_;  // of older generations, all of them: no writer's own
+  SubmapList same = submaps_;  // all of older generations: the writer owns none
   bool has_any = false;
   for (auto& submap : same) {
     auto without = submap->WithTiles(TileEvictor(rule));

@@ -16,7 +16,7 @@ constexpr double kMaxTruncationVox = 8.0;
 
 constexpr std::array kRetiredFields = {
     RetiredField{.key = "tracking.weigh_scores", .default_text = "false"},  // up to 0.2.0
-    // Since free space is a layer, and gone surfaces are left out, carving changed no answer for the better.
+    // Carving no longer improved any answer once free space was a layer and gone surfaces were left out.
     RetiredField{.key = "integration.carving", .default_text = "false", .is_left_out = true},
 };
 
@@ -97,8 +97,8 @@ MapConfig OutdoorLidarConfig() {
   config.integration.weighting = Weighting::kConstant;
   config.tracking.iou_threshold = 0.1;
   config.tracking.min_points_stuff = 100;
-  // Of what a network gives less than this in two KITTI excerpts next to nothing is right; in a rendered house, whose
-  // scores mean less, to leave it out costs a point of PQ.
+  // In two KITTI excerpts, segments with lower scores are almost all wrong. In a rendered house, whose scores mean
+  // less, the limit would cost one point of PQ.
   config.tracking.min_score = 0.6;
   config.tracking.split_gap_vox = 3;
   config.tracking.min_points_small = 20;

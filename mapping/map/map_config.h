@@ -79,7 +79,8 @@ struct MapConfig {
   ActivityConfig activity;
   RefinementConfig refinement;
   SpaceConfig space;
-  /// "key = value" of retired settings that a stored map was built with and goes on without (RetiredField). Not a key.
+  /// "key = value" of retired settings with which a stored map was built, and which are now ignored (RetiredField). Not
+  /// a key.
   std::vector<std::string> left_out;
 
   /// INVALID_ARGUMENT naming every key that is out of range, at once.
@@ -158,7 +159,7 @@ std::vector<std::pair<std::string, std::string>> ConfigToText(const MapConfig& c
 struct RetiredField {
   std::string_view key;
   std::string_view default_text;
-  /// Maps that were stored with another value go on without what it asked for; otherwise they are refused.
+  /// Maps stored with another value are loaded without its effect; otherwise they are refused.
   bool is_left_out = false;
 };
 std::span<const RetiredField> RetiredFields();

@@ -16,8 +16,8 @@ struct MergedId {
   friend bool operator==(const MergedId&, const MergedId&) = default;
 };
 
-/// The permanent record of merges: requests for a merged submap are told its successor. Chains are resolved: `into` was
-/// not merged itself, though it may have been deleted since. Copies share the list. Value type.
+/// The permanent record of merges: a request for a merged submap gets its successor. Chains are resolved: `into` was
+/// not merged itself, but may have been deleted since. Copies share the list. Value type.
 class MergedIds {
  public:
   MergedIds() = default;

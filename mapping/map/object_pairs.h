@@ -26,7 +26,7 @@ struct ObjectPair {
   PairVerdict verdict = PairVerdict::kOpen;
   /// Log-likelihood ratio of the frames, one object against two; see NotePairs.
   std::int32_t evidence = 0;
-  /// At or below this, frames show two objects, by odds of 7 to 1: more than one frame has shown them apart.
+  /// At or below this, frames show two objects, by odds of 7 to 1: more than one frame has shown them as separate.
   static constexpr std::int32_t kSpeaksForTwo = -20;
   /// Whether they count as two objects: by verdict, or by evidence without a verdict.
   [[nodiscard]] bool AreTwo() const {
@@ -45,7 +45,7 @@ class ObjectPairs {
   /// DATA_LOSS unless pairs ascend, are unique, name two different submaps, and have evidence within its limits.
   static Result<ObjectPairs> Create(std::vector<ObjectPair> pairs);
 
-  /// Without entry, a pair has neither verdict nor evidence. Order of arguments is irrelevant.
+  /// A pair without an entry has neither verdict nor evidence. The order of the arguments is irrelevant.
   [[nodiscard]] ObjectPair Of(SubmapId a, SubmapId b) const;
   /// Adds evidence, clamped to `least` and `most`. A pair without verdict or evidence is dropped. Beyond kMostOpen, the
   /// open pair of the smallest absolute evidence is dropped, the first of equals.

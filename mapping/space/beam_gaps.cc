@@ -22,7 +22,7 @@ std::size_t BeamGaps::Widest() const {
   const std::size_t total = std::accumulate(counts_.begin(), counts_.end(), std::size_t{0});
   std::size_t usual = 0;
   for (std::size_t up_to = 0; usual < kMostBins && (up_to += counts_[usual]) * 4 < total * 3;) ++usual;
-  // Beams as far apart as bins fall into them unevenly: one bin more is no missing beam.
+  // Beams as far apart as bins are fill them unevenly: a gap of one bin is not a missing beam.
   return std::min(kMostBins, std::max(usual + 1, usual * 3 / 2));
 }
 

@@ -13,7 +13,7 @@ const float kNoLimit = std::numeric_limits<float>::infinity();
 namespace {
 
 constexpr float kMissing = std::numeric_limits<float>::infinity();
-constexpr float kLeastReturn_m = 1e-3f;  // nearer than any sensor measures
+constexpr float kLeastReturn_m = 1e-3f;  // below the range of every sensor
 constexpr float kLeastDepth_vox = 1e-3f;
 
 }  // namespace
@@ -26,7 +26,7 @@ void LimitRow(const float* __restrict depth0_m, const float* __restrict depth1_m
   const float voxels_per_m = geometry.voxels_per_m;
   for (int u = 0; u < width; ++u) {
     const float a = depth0_m[2 * u], b = depth0_m[2 * u + 1], c = depth1_m[2 * u], d = depth1_m[2 * u + 1];
-    // NaN and infinity are no returns either.
+    // NaN and infinity are not returns.
     const float a1 = a >= kLeastReturn_m ? a : kMissing, b1 = b >= kLeastReturn_m ? b : kMissing;
     const float c1 = c >= kLeastReturn_m ? c : kMissing, d1 = d >= kLeastReturn_m ? d : kMissing;
     const float count = (a1 < kMissing ? 1.0f : 0.0f) + (b1 < kMissing ? 1.0f : 0.0f) + (c1 < kMissing ? 1.0f : 0.0f) +
@@ -106,7 +106,7 @@ void BoundBalls(const BallBatch& balls, const CameraGeometry& geometry, CellBoun
     const float r = balls.radius[i];
     near[i] = z - r;
     far[i] = z + r;
-    // A cube around it, along the axes of the camera.
+    // A cube around it, along the camera's axes.
     const float per_near = 1.0f / near[i], per_far = 1.0f / far[i];
     const float left = x - r, right = x + r, up = y - r, down = y + r;
     x0[i] = left * per_near < left * per_far ? left * per_near : left * per_far;
@@ -144,7 +144,7 @@ void TestOctant(float x, float y, float z, const CameraGeometry& geometry, const
     const float per_depth = 1.0f / depth;
     const float u = fx * ((px + dx[i]) * per_depth) + cx;
     const float v = fy * ((py + dy[i]) * per_depth) + cy;
-    // Out of view, also by NaN: some pixel, and a depth that is before no limit.
+    // Out of view, also for NaN: use some pixel, and a depth that is before no limit.
     const float right = u > 0.0f ? u : 0.0f, down = v > 0.0f ? v : 0.0f;
     const float column = right < last_u ? right : last_u, row = down < last_v ? down : last_v;
     const float before = depth > kLeastDepth_vox ? depth : kMissing;

@@ -7,11 +7,11 @@
 namespace dhpmap {
 namespace {
 
-// Sizes of the parts that are worked on in parallel.
+// Sizes of the parts that run in parallel.
 constexpr int kRowsPerBand = 30;
 
-// What a cell is told must hold for each of its voxels as TestOctant computes it, in single precision: at most 600
-// voxels away and 8192 pixels wide, to a share of 2^-22.
+// A result for a cell must hold for each of its voxels as TestOctant computes it, in single precision: up to 600 voxels
+// away and 8192 pixels wide, with a relative error of 2^-22.
 constexpr float kSlack_vox = 2e-3f;
 constexpr float kSlack_px = 1e-2f;
 
@@ -19,7 +19,7 @@ constexpr float kSlack_px = 1e-2f;
 
 void CameraView::BuildImage(const DepthCameraData& data, const LookOptions& options, ThreadPool& pool) {
   const PinholeCamera& camera = data.camera;
-  image_.width = camera.width_px / 2;  // what is left of an odd number has no two by two pixels
+  image_.width = camera.width_px / 2;  // an odd row or column has no 2 x 2 pixels
   image_.height = camera.height_px / 2;
   const auto width = static_cast<std::size_t>(image_.width), height = static_cast<std::size_t>(image_.height);
   const std::size_t stride = width + 2;
@@ -28,7 +28,7 @@ void CameraView::BuildImage(const DepthCameraData& data, const LookOptions& opti
   std::fill_n(raw_.begin(), stride, kNoLimit);
   std::fill_n(raw_.end() - static_cast<std::ptrdiff_t>(stride), stride, kNoLimit);
 
-  // The ray through the middle of 2 x 2 pixels stands for them.
+  // The ray through the centre of 2 x 2 pixels represents them.
   std::vector<float> column_length2(width);
   for (std::size_t u = 0; u < width; ++u) {
     const double x = (2.0 * static_cast<double>(u) + 0.5 - camera.cx_px) / camera.fx_px;
@@ -119,13 +119,13 @@ void CameraView::Classify(const CellBatch& cells, CellSights& sights) const {
     sights[i] = CellSight::kHidden;
     const float near = bounds.near[i] - kSlack_vox, far = bounds.far[i] + kSlack_vox;
     if (far <= 0 || near >= pyramid_.most()) continue;
-    if (near <= kSlack_vox) {  // about the sensor, where nothing can be said of pixels
+    if (near <= kSlack_vox) {  // around the sensor, where no pixel can be computed
       sights[i] = CellSight::kMixed;
       continue;
     }
     const float u0 = bounds.u0[i] - kSlack_px, u1 = bounds.u1[i] + kSlack_px;
     const float v0 = bounds.v0[i] - kSlack_px, v1 = bounds.v1[i] + kSlack_px;
-    // Written so that NaN, of a camera of absurd focal length, is out of view.
+    // In this form NaN, from an absurd focal length, counts as out of view.
     if (!(u1 >= 0 && v1 >= 0 && u0 < last_u + 1 && v0 < last_v + 1)) continue;
     const bool is_inside = u0 >= 0 && v0 >= 0 && u1 < last_u + 1 && v1 < last_v + 1;
     const SightPyramid::Span span =
@@ -137,12 +137,12 @@ void CameraView::Classify(const CellBatch& cells, CellSights& sights) const {
 }
 
 bool CameraView::AllSeeFartherThan(float far_vox, int u0, int v0, int u1, int v1) const {
-  // Of few pixels the pyramid would take too many around.
+  // For few pixels the pyramid would include too many neighbours.
   constexpr int kFew = 64;
   if ((u1 - u0 + 1) * (v1 - v0 + 1) > kFew) return pyramid_.Over(u0, v0, u1, v1).least > far_vox;
   for (int v = v0; v <= v1; ++v) {
     const float* row = image_.limit_vox.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width);
-    unsigned is_any_nearer = 0;  // without branches within a row
+    unsigned is_any_nearer = 0;  // no branches within a row
     for (int u = u0; u <= u1; ++u) is_any_nearer |= static_cast<unsigned>(row[u] <= far_vox);
     if (is_any_nearer != 0) return false;
   }

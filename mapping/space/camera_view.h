@@ -14,20 +14,20 @@
 
 namespace dhpmap {
 
-/// What a depth camera looks through. A voxel is free if its centre lies before the limit of its pixel in an image of
-/// half the resolution: the least of 2 x 2 depths (three of them returns), holes closed, minus the truncation along the
-/// ray, and not beyond the range. Keeps its buffers from frame to frame. Thread-compatible.
+/// The space that a depth camera looks through. A voxel is free if its centre lies before the limit of its pixel in an
+/// image of half the resolution. The limit is the minimum of 2 x 2 depths (three of them returns), holes closed, minus
+/// the truncation along the ray, at most the range. Keeps its buffers from frame to frame. Thread-compatible.
 class CameraView {
  public:
   /// `R_camera_grid`: from the axes of the map's grid to the camera's.
   void Build(const DepthCameraData& data, const Eigen::Matrix3d& R_camera_grid, const LookOptions& options,
              ThreadPool& pool);
 
-  /// A box, in voxels from the sensor along the axes of the grid, outside of which no voxel centre is free.
+  /// A box, in voxels from the sensor along the axes of the grid. No voxel centre outside is free.
   [[nodiscard]] Box Reach() const;
 
   void Classify(const CellBatch& cells, CellSights& sights) const;
-  /// Whether all pixels that a ball may cover are in the image and see farther than the ball and the truncation.
+  /// Whether all pixels that a ball may cover are in the image and see farther than the ball plus the truncation.
   void LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_past) const;
   /// See TestOctant.
   void Test(float x, float y, float z, std::array<std::uint8_t, kOctantVoxels>& is_free) const {
@@ -37,8 +37,8 @@ class CameraView {
   [[nodiscard]] const SightImage& image() const { return image_; }
 
  private:
-  /// Whether the limits of a rectangle of pixels, u1 and v1 included, are all beyond `far_vox`; of a large one false if
-  /// those of some pixels around it are not.
+  /// Whether all limits in a rectangle of pixels, u1 and v1 included, are beyond `far_vox`. May be false for a large
+  /// rectangle if a pixel near it has a smaller limit.
   [[nodiscard]] bool AllSeeFartherThan(float far_vox, int u0, int v0, int u1, int v1) const;
   void BuildImage(const DepthCameraData& data, const LookOptions& options, ThreadPool& pool);
   void BuildGeometry(const PinholeCamera& camera, const Eigen::Matrix3d& R_camera_grid);

@@ -8,8 +8,9 @@
 
 namespace dhpmap {
 
-// Cells are cubes of voxels, tested eight at a time: the tile of 32^3, its eighths of 16^3, their blocks of 8^3, and
-// the octants of those, of 4^3. All lengths are in voxels, relative to the sensor, along the axes of the map's grid.
+// Cells are cubes of voxels, tested eight at a time: a tile of 32^3 voxels, its eighths of 16^3, their blocks of 8^3,
+// and the octants of blocks, of 4^3. All lengths are in voxels, relative to the sensor, along the axes of the map's
+// grid.
 
 inline constexpr int kLanes = 8;
 
@@ -20,7 +21,7 @@ inline constexpr int kOctantSide = 4;
 inline constexpr int kOctantVoxels = kOctantSide * kOctantSide * kOctantSide;
 
 inline constexpr int SideOf(CellSize size) { return 32 >> static_cast<int>(size); }
-/// From a cell's centre to the centres of its outermost voxels: a cell stands for the centres of its voxels.
+/// From a cell's centre to the centres of its outermost voxels: a test of a cell concerns the centres of its voxels.
 inline constexpr float HalfSpanOf(CellSize size) { return 0.5f * static_cast<float>(SideOf(size) - 1); }
 
 /// Centres of up to eight cells of one size.
@@ -48,7 +49,7 @@ inline CellBatch Nearer(const CellBatch& cells, float by_vox) {
   return nearer;
 }
 
-/// The eight halves-by-axis of a cell whose centre is given, x fastest, then y, then z.
+/// The eight octants of a cell whose centre is given, x fastest, then y, then z.
 inline CellBatch ChildrenOf(CellSize size, float x, float y, float z) {
   CellBatch children;
   children.size = static_cast<CellSize>(static_cast<int>(size) + 1);

@@ -17,7 +17,7 @@
 namespace dhpmap {
 namespace {
 
-// Tiles are looked at in parts of so many, so that what they are found to be takes some 1 MB.
+// Tiles are processed in parts of this many, whose results take about 1 MB.
 constexpr std::size_t kTilesAPart = 256;
 
 struct alignas(kCacheLineBytes) Found {
@@ -39,7 +39,7 @@ struct FreeSpaceFinder::Scratch {
                              const std::stop_token& stop);
   template <typename View>
   void AddFree(const View& view, std::int64_t stamp_ns, Map& map, ThreadPool& pool, const std::stop_token& stop);
-  /// What one tile has that the map does not.
+  /// The free voxels of one tile that the map does not have yet.
   template <typename View>
   void LookAtTile(const View& view, const TileToLook& tile, const FreeSpace& known, std::int64_t stamp_ns,
                   Found& result) const;

@@ -10,13 +10,13 @@
 namespace dhpmap {
 namespace {
 
-/// A tile of which nothing has been looked through so far is looked at in one of so many frames: most of a map stays.
+/// A tile without any count is tested in one of this many frames: most of a map stays as it is.
 constexpr std::uint64_t kTurns = 3;
 
-/// What has left longer ago has nothing to do with what is there now.
+/// A departure longer ago than this is unrelated to what is there now.
 constexpr std::uint64_t kLeavesFor_ns = 60'000'000'000;
 
-/// Of stamps that may be as far apart as they can.
+/// Correct even if the stamps are as far apart as possible.
 bool IsWithin(std::uint64_t most_ns, std::int64_t a_ns, std::int64_t b_ns) {
   const auto a = static_cast<std::uint64_t>(a_ns), b = static_cast<std::uint64_t>(b_ns);
   return (a_ns > b_ns ? a - b : b - a) <= most_ns;
@@ -28,20 +28,20 @@ bool MayReach(const Box& reach, const GridOrigin& origin, const BoundingSphere& 
   const Eigen::Vector3d eye_vox = Eigen::Vector3d(origin.voxel.x, origin.voxel.y, origin.voxel.z) + origin.offset_vox;
   const Eigen::Array3d center_vox = (sphere.center_m / voxel_size_m - eye_vox).array();
   const double radius_vox = sphere.radius_m / voxel_size_m + 1;
-  // Written so that NaN, of a camera of absurd focal length, is within.
+  // In this form NaN, from an absurd focal length, counts as within.
   return !(center_vox + radius_vox < reach.least_vox.array()).any() &&
          !(center_vox - radius_vox > reach.most_vox.array()).any();
 }
 
-/// Sum of a number's digits to the base kTurns. Of kTurns frames in a row that begin at a multiple of it each has
-/// another remainder, and so have, in the long run, those of every sensor where several send in turn.
+/// Digit sum in base kTurns. Its remainders differ among kTurns consecutive frames that start at a multiple of kTurns.
+/// If several sensors send in turn, each sensor's frames also get all remainders in the long run.
 std::uint64_t DigitSum(std::uint64_t number) {
   std::uint64_t sum = 0;
   for (; number > 0; number /= kTurns) sum += number % kTurns;
   return sum;
 }
 
-/// `turn`: the frame's. Neighbours have different ones.
+/// `turn` is the frame's. Neighbouring tiles have different turns.
 bool IsItsTurn(TileIndex tile, std::uint64_t turn) {
   constexpr auto kMost = static_cast<std::int64_t>(kTurns);
   const std::int64_t place = (std::int64_t{tile.x} + tile.y + tile.z) % kMost + kMost;  // positive
@@ -54,7 +54,7 @@ bool HasCounts(const BlockTile& tile) {
                      [](const BlockEntry& entry) { return entry.gone != nullptr; });
 }
 
-/// Takes the voxels of the submap that lie in the region out of a block.
+/// Removes the submap's voxels in the region from a block.
 void LeaveOutRegion(const Region& region, const SubmapInfo& info, ContradictedBlock& block) {
   const double half_m = 0.5 * kBlockSide * info.voxel_size_m;
   const Eigen::Vector3d center_m = BlockCorner(block.index, info.voxel_size_m).array() + half_m;
@@ -98,7 +98,7 @@ void GoneFinder::AddJobs(const Submap& submap, Role role, std::uint64_t turn) {
     for (const TileEntry& entry : blocks.tiles()) {
       if (in_view_.Find(entry.index) != IndexMap<TileIndex>::kNone) AddJob(submap, entry, role, turn);
     }
-  } else {  // a wall may go on and on
+  } else {  // a wall may be very long
     for (const TileToLook& tile : tiles_) {
       if (const TileEntry* entry = blocks.FindTile(tile.index)) AddJob(submap, *entry, role, turn);
     }
@@ -127,7 +127,7 @@ void GoneFinder::ListJobs(const Box& reach, const GridOrigin& origin, const View
     const bool may_have_left = info.panoptic == Panoptic::kThing && info.last_observed_ns != from.stamp_ns;
     AddJobs(*submap, may_have_left ? Role::kMayHaveLeft : Role::kStays, turn);
   }
-  if (unknown != nullptr) AddJobs(*unknown, Role::kNameless, turn);  // when the tiles of all things are known
+  if (unknown != nullptr) AddJobs(*unknown, Role::kNameless, turn);  // after the tiles of all things are known
 }
 
 void GoneFinder::NoteLeft(const Viewpoint& from, ThreadPool& pool, const std::stop_token& stop) {
@@ -154,7 +154,7 @@ void GoneFinder::AddUp() {
   for (std::size_t i = 0; i < num_jobs_; ++i) {
     for (const ContradictedBlock& block : jobs_[i].found) {
       together_.Add(block.index, block.num_in_all);
-      // What was looked through before takes nothing with it any more.
+      // A block that was looked through before no longer affects its neighbours.
       if (jobs_[i].role == Role::kMayHaveLeft) leaving_.Add(block.index, block.num_voxels);
     }
   }
@@ -190,7 +190,7 @@ std::vector<SubmapId> GoneFinder::Count(const Viewpoint& from, Map& map) {
     if (num_became > 0) submap.mutable_info().last_contradicted_ns = from.stamp_ns;
     if (changed.empty() || changed.back() != submap.id()) changed.push_back(submap.id());
   }
-  std::sort(changed.begin(), changed.end());  // jobs of the unknown submap come last
+  std::sort(changed.begin(), changed.end());  // the unknown submap's jobs come last
   return changed;
 }
 

@@ -53,11 +53,11 @@ class GoneFinder {
   }
 
  private:
-  /// A frame that contradicts fewer voxels of a block does not count: noise affects single voxels, an object that has
-  /// left dozens.
+  /// Contradictions of fewer voxels in a block do not count: noise affects single voxels, a departed object affects
+  /// dozens.
   static constexpr int kLeastVoxels = 8;
-  /// It counts nevertheless if this many voxels of the block, in all submaps, are gone or contradicted: voxels at the
-  /// border of an object that has left belong to other submaps, a few to each.
+  /// They count nevertheless if this many voxels of the block, in all submaps, are gone or contradicted: voxels at the
+  /// border of a departed object belong to several submaps, a few to each.
   static constexpr int kLeastTogether = 12;
 
   /// The expectation for a submap.
@@ -69,7 +69,7 @@ class GoneFinder {
 
   struct alignas(kCacheLineBytes) Job {
     SubmapId id;
-    // Until the map is written to:
+    // Valid until the map is written to:
     const Submap* submap = nullptr;
     const BlockTile* tile = nullptr;
     bool has_counts = false;
@@ -82,7 +82,7 @@ class GoneFinder {
                                 std::vector<ContradictedBlock>& found);
   /// The tiles of submaps that are in view.
   void ListJobs(const Box& reach, const GridOrigin& origin, const Viewpoint& from, const Map& map);
-  /// `turn`: of the frame.
+  /// `turn` is the frame's.
   void AddJobs(const Submap& submap, Role role, std::uint64_t turn);
   void AddJob(const Submap& submap, const TileEntry& entry, Role role, std::uint64_t turn);
   /// Reads the tiles with counts from disk if necessary.
@@ -95,11 +95,11 @@ class GoneFinder {
 
   std::vector<TileToLook> tiles_;  ///< in view
   IndexMap<TileIndex> in_view_;    ///< the same
-  std::vector<Job> jobs_;          ///< those beyond num_jobs_ are spare, to reuse their memory
+  std::vector<Job> jobs_;          ///< entries beyond num_jobs_ are kept for their memory
   std::size_t num_jobs_ = 0;
   LeftBlocks left_;      ///< before the view
   LeftBlocks together_;  ///< including the view
-  LeftBlocks leaving_;   ///< of the view alone, in things that the frame has not observed
+  LeftBlocks leaving_;   ///< of this view alone, in things that the frame has not observed
 };
 
 }  // namespace dhpmap

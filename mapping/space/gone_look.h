@@ -24,14 +24,14 @@ inline int NumIn(const VoxelMask& mask) {
                          [](int sum, std::uint64_t word) { return sum + std::popcount(word); });
 }
 
-/// Blocks of a grid in which something is gone, of whichever submaps.
+/// The blocks of a grid that have gone voxels, in any submap.
 class LeftBlocks {
  public:
   void Clear() {
     at_ = {};
     counts_.clear();
   }
-  /// So many more voxels of the block are contradicted.
+  /// Records that `num_voxels` more voxels of the block are contradicted.
   void Add(BlockIndex block, int num_voxels) {
     const std::uint32_t known = at_.Find(block);
     if (known != IndexMap<BlockIndex>::kNone) {
@@ -51,35 +51,35 @@ class LeftBlocks {
   std::vector<int> counts_;
 };
 
-/// What a look says of a block of a submap.
+/// The result of a look at one block of a submap.
 struct ContradictedBlock {
   BlockIndex index;
-  VoxelMask voxels{};    ///< that it contradicts
-  int num_voxels = 0;    ///< of them
-  int num_in_all = 0;    ///< and those that were contradicted before
-  bool is_much = false;  ///< they are much of what the block says of a surface
+  VoxelMask voxels{};    ///< newly contradicted
+  int num_voxels = 0;    ///< their number
+  int num_in_all = 0;    ///< their number, including those contradicted before
+  bool is_much = false;  ///< they are a large part of the block's surface
 };
 
 /// Looks at one tile of a submap for surfaces that the view looks through.
 ///
-/// A voxel says that there is a surface within its distance. So it is contradicted if every pixel that a ball of that
-/// radius, and kSlack_vox more, may cover sees farther than the ball and kMargin_vox, or the truncation if that is
-/// less: as long as the surface is
-/// there, either it or something before it is seen in one of these pixels. `View` is CameraView or LidarView, which
-/// keep the truncation before what they see; to ask for less, cells and balls are moved nearer to the sensor.
+/// A voxel at distance d claims a surface within d. The claim is contradicted if all pixels that a ball of radius d +
+/// kSlack_vox may cover see farther than the ball by kMargin_vox, or by the truncation if that is less. If the surface
+/// were still there, one of these pixels would see it, or something before it. `View` is CameraView or LidarView. Their
+/// limits lie the truncation before what they see; to require less, cells and balls are moved nearer to the sensor.
 template <typename View>
 class GoneLook {
  public:
-  /// The voxel's own half, and a little for planes that go on beyond an edge, by which its ball is larger.
+  /// Half a voxel, and a little for planes that continue beyond an edge.
   static constexpr float kSlack_vox = 0.6f;
-  /// So far behind must be what is seen instead: what a thing stood on is seen right under its foot.
+  /// The background must be this far behind: the floor is visible right under an object's foot.
   static constexpr float kMargin_vox = 1.5f;
-  /// By what balls may lie farther than the view says; centres of balls, of which none is smaller, as much less.
+  /// How far the view's limits may be exceeded: the truncation less kMargin_vox, and for centres of balls less the
+  /// smallest radius.
   static float FartherBy_vox(double voxel_size_m, double truncation_m, float least_radius_vox = kSlack_vox) {
     return std::max(0.0f, static_cast<float>(truncation_m / voxel_size_m) - kMargin_vox - least_radius_vox);
   }
 
-  /// `truncation_m`: of the submap; what is farther from its surface says nothing of one.
+  /// `truncation_m` is the submap's; a voxel farther from the surface makes no claim.
   GoneLook(const View& view, const GridOrigin& origin, const Viewpoint& from, const LeftBlocks& left,
            double voxel_size_m, double truncation_m, std::vector<ContradictedBlock>& found)
       : view_(view),
@@ -87,7 +87,7 @@ class GoneLook {
         from_(from),
         left_(left),
         voxels_per_m_(static_cast<float>(1 / voxel_size_m)),
-        // What older versions carved is no surface.
+        // Excludes voxels that older versions carved.
         most_m_(static_cast<float>(0.999 * truncation_m)),
         balls_farther_by_vox_(FartherBy_vox(voxel_size_m, truncation_m, 0)),
         farther_by_vox_(FartherBy_vox(voxel_size_m, truncation_m)),
@@ -120,17 +120,17 @@ class GoneLook {
   }
 
  private:
-  /// Behind a surface of which a part is gone, what is seen is not inside of anything.
+  /// Radius of voxels behind a surface that is partly gone: what is seen there is not inside an object.
   static constexpr float kInside_vox = 0.75f;
-  /// Where so many voxels of a block, in all submaps, are contradicted, what is left of a surface, such as voxels of
-  /// what left that went to the wall behind it, need not be seen past by whole balls.
+  /// If this many voxels of a block, in all submaps, are contradicted, the rest of the surface needs smaller balls.
+  /// Such remains are, for example, voxels of the departed object that the wall behind it took over.
   static constexpr int kLeastLeft = 12;
 
-  /// A look past so much of what a block says of a surface counts twice: there, errors at edges are few.
+  /// Contradictions of this large a part of a block's surface count twice, because errors at edges are rare there.
   static constexpr int kLeastMuch = 8;
   static constexpr float kMuchShare = 0.3f;
 
-  /// How many voxels of the block say that there is a surface, and are not contradicted.
+  /// Number of the block's voxels that claim a surface and are not contradicted.
   [[nodiscard]] float CountSaying(const BlockEntry& entry) const {
     int count = claims_.Count();
     if (entry.gone != nullptr) {
@@ -162,7 +162,7 @@ class GoneLook {
     if (contradicted_.num_in_all > 0) found_.push_back(contradicted_);
   }
 
-  /// Of the octant's voxels, those before the limit of their own pixel, or one beside it, may be contradicted.
+  /// Selects the octant's voxels that lie before the limit of their own pixel, or one beside it.
   void LookAtOctant(const BlockEntry& entry, std::size_t octant, float x, float y, float z) {
     constexpr float kToFirst = -HalfSpanOf(CellSize::kOctant);
     const TsdfBlock& tsdf = *entry.tsdf;
@@ -197,7 +197,7 @@ class GoneLook {
     }
   }
 
-  /// Whether nearly all that says that there is something in an octant is seen past by the pixels of its centres.
+  /// Whether nearly all claims of an octant lie before the limits of their centres' pixels.
   static bool HasLeft(const std::array<std::uint8_t, kOctantVoxels>& is_near,
                       const std::array<std::uint8_t, kOctantVoxels>& is_before) {
     const auto count = [](const auto& all) { return std::accumulate(all.begin(), all.end(), 0); };
@@ -212,7 +212,7 @@ class GoneLook {
 
   void Decide() {
     std::array<bool, kLanes> is_past;
-    for (std::size_t i = 0; i < num_balls_; ++i) {  // with all of each: it covers the same pixels
+    for (std::size_t i = 0; i < num_balls_; ++i) {  // the whole ball scales, so it covers the same pixels
       const float scale = ScaleToNearer(balls_.x[i], balls_.y[i], balls_.z[i], balls_farther_by_vox_);
       balls_.x[i] *= scale, balls_.y[i] *= scale, balls_.z[i] *= scale, balls_.radius[i] *= scale;
     }
@@ -231,12 +231,12 @@ class GoneLook {
   const float voxels_per_m_, most_m_, balls_farther_by_vox_, farther_by_vox_;
   std::vector<ContradictedBlock>& found_;
   ContradictedBlock contradicted_;
-  SurfaceClaims claims_;  ///< of the block, where it is not hidden
+  SurfaceClaims claims_;  ///< of the block, unless it is hidden
   BallBatch balls_;
   std::array<int, kLanes> linear_{};
   std::size_t num_balls_ = 0;
-  bool is_open_ = false;  ///< of the block, something is gone already
-  bool is_left_ = false;  ///< of this block and others at its place, much is
+  bool is_open_ = false;  ///< part of the block is gone already
+  bool is_left_ = false;  ///< a large part of the blocks at its place is gone
 };
 
 }  // namespace dhpmap

@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-/// What of a block is surface; nothing if none is.
+/// The surface of a block; nothing if it has none.
 std::optional<SurfacePart> PartIn(const BlockEntry& entry, double voxel_size_m) {
   if (entry.tsdf == nullptr) return std::nullopt;
   SurfacePart part;
@@ -28,7 +28,7 @@ std::optional<SurfacePart> PartIn(const BlockEntry& entry, double voxel_size_m) 
   return part;
 }
 
-/// Takes the part of a block, and of all that touch it, out of `open`.
+/// Removes a block's part from `open`, with the parts of all blocks connected to it.
 SurfacePart TakeTogether(std::size_t first, std::vector<std::optional<SurfacePart>>& open,
                          const IndexMap<BlockIndex>& numbers) {
   SurfacePart whole = *std::exchange(open[first], std::nullopt);
@@ -80,7 +80,7 @@ std::vector<SurfacePart> LetPartsLeave(SubmapId id, Map& map) {
   const auto is_leaving = [](const SurfacePart& part) { return part.IsLeaving(); };
   if (std::all_of(parts.begin(), parts.end(), is_leaving)) return parts;
   for (const SurfacePart& part : parts) {
-    // Of what has left before, nothing is written again.
+    // A part that is already gone is not written again.
     if (!part.IsLeaving() || part.num_doubted == part.num_voxels) continue;
     for (const BlockIndex block : part.blocks) ContradictAll(block, *map.FindMutable(id));
   }

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-// A cell of the pyramid that is as wide spans 13 degrees: what is tested covers less, but right at the scanner.
+// A pyramid cell of this width spans 13 degrees. What is tested covers less, except close to the scanner.
 constexpr int kColumnsACell = 64;
 
 }  // namespace
@@ -23,7 +23,7 @@ void LidarBins::ChooseWindow() {
   }
   window_ = {first_row, std::max(0, last_row - first_row + 1), 0, kAzimuthBins};
   if (window_.height == 0) return;
-  // A column without points on either side, so that what is beyond the window is as what is at its edges.
+  // Leaves a column without points on either side, so that bins beyond the window are like those at its edges.
   const int begin = (first_column - 1) / kColumnsACell * kColumnsACell;
   const int end = std::min(kAzimuthBins, (last_column + 1) / kColumnsACell * kColumnsACell + kColumnsACell);
   const bool has_edges = first_column > 0 && last_column + 1 < kAzimuthBins;

@@ -11,21 +11,22 @@
 
 namespace dhpmap {
 
-/// The bins of direction (see DirectionOf) around all points of a scan. Columns begin and end where cells of a pyramid
-/// over all around would, so that it bounds the same rectangles; if the points reach nearly around, they are all.
+/// The bins of direction (see DirectionOf) that contain all points of a scan. Columns begin and end at cells of a
+/// pyramid over all directions, so the pyramid bounds the same rectangles. If the points surround the scanner, all
+/// columns.
 struct LidarWindow {
   int first_row = 0, height = 0;
   int first_column = 0, width = 0;
 };
 
-/// How far a scan saw through, by bins of direction: the least of the points of each, and between two beams the lesser
-/// of both. Keeps its buffers. Thread-compatible.
+/// How far a scan sees, by bins of direction: the minimum over the points of a bin; between two beams the smaller of
+/// both. Keeps its buffers. Thread-compatible.
 class LidarBins {
  public:
   void Build(const LidarData& data, const LookOptions& options);
 
   [[nodiscard]] const LidarWindow& window() const { return window_; }
-  /// Row-major; kNoLimit where no beam is.
+  /// Row-major; kNoLimit where there is no beam.
   [[nodiscard]] const std::vector<float>& limits_vox() const { return limits_vox_; }
 
  private:

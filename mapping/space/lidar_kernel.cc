@@ -13,9 +13,9 @@ constexpr float kPi = 3.14159265f;
 constexpr float kBinsPerRadian = 0.5f * kAzimuthBins / kPi;
 constexpr float kBinsPerSine = 0.5f * kElevationBins;
 constexpr float kMissing = std::numeric_limits<float>::infinity();
-constexpr float kTiny = 1e-20f;  // keeps 0 / 0 out; no voxel centre is so near
+constexpr float kTiny = 1e-20f;  // avoids 0 / 0; no voxel centre is so near
 
-/// atan2 to within 3e-4, in a form that vectorises; within -pi and pi.
+/// atan2 with an error below 3e-4, vectorisable; within -pi and pi.
 inline float Azimuth(float y, float x) {
   const float ax = x < 0 ? -x : x, ay = y < 0 ? -y : y;
   const float least = ax < ay ? ax : ay, most = ax < ay ? ay : ax;
@@ -29,7 +29,7 @@ inline float Azimuth(float y, float x) {
 inline float AzimuthBin(float azimuth) { return (azimuth + kPi) * kBinsPerRadian; }
 inline float ElevationBin(float sine) { return (sine + 1.0f) * kBinsPerSine; }
 
-/// No less than asin(q), for q of 0 to 1.
+/// An upper bound of asin(q) for q in 0 to 1.
 inline float AngleOf(float q) { return q * (1.0f + 0.571f * q * q); }
 
 }  // namespace
@@ -42,7 +42,7 @@ Direction DirectionOf(float x, float y, float z) {
 DHPMAP_WIDE_VECTOR_CLONES
 void PlaceReturns(const float* __restrict points_m, std::size_t num, const ReturnRule& rule,
                   const ReturnPlaces& places) {
-  constexpr double kLeastRange_m = 1e-3;  // nearer than any scanner measures
+  constexpr double kLeastRange_m = 1e-3;  // below the range of every scanner
   const double margin_m = rule.margin_m, max_range_m = rule.max_range_m, voxel_size_m = rule.voxel_size_m;
   std::int32_t* __restrict columns = places.columns;
   std::int32_t* __restrict rows = places.rows;
@@ -68,7 +68,7 @@ void PlaceReturns(const float* __restrict points_m, std::size_t num, const Retur
 DHPMAP_WIDE_VECTOR_CLONES
 void SpreadRow(const float* __restrict above, const float* __restrict row, const float* __restrict below, int width,
                float* __restrict least, float* __restrict limit) {
-  for (int u = 0; u < width; ++u) {  // what is missing counts as 0
+  for (int u = 0; u < width; ++u) {  // a missing limit counts as 0
     const float a = above[u] < kMissing ? above[u] : 0.0f, b = row[u] < kMissing ? row[u] : 0.0f;
     const float c = below[u] < kMissing ? below[u] : 0.0f;
     const float ab = a < b ? a : b;
@@ -82,16 +82,17 @@ void SpreadRow(const float* __restrict above, const float* __restrict row, const
   }
 }
 
-// Of a cell's voxel centres, of which c is the middle one, any is c + d. In the frame of c's own azimuth (`across`,
-// `ahead`: both level) and of its ray (`up`: across it, in the vertical plane), |d| along an axis is at most
-// `half` times the sum of the axis' coordinates on the grid, as the cell is a box there. Seen from above the voxel lies
-// at most by across / (flat - ahead) beside c. In the vertical plane it is off the ray by up to `up`, and by what
-// its distance from the axis grows as it lies beside c, and is no nearer than the range less `along`.
+// Bounds the directions of a cell's voxel centres c + d, where c is the middle. The axes are level across c's azimuth
+// (`across`), level along it (`ahead`), across its ray in the vertical plane (`up`), and along its ray (`along`). The
+// cell is a box on the grid, so |d| along an axis is at most `half` times the sum of the axis' coordinates on the grid.
+// Seen from above, a voxel deviates from c's azimuth by at most across / (flat - ahead). In the vertical plane it
+// deviates from the ray by at most `up`, plus the increase of its distance from the vertical axis due to `across`. Its
+// range is at least that of c minus `along`.
 DHPMAP_WIDE_VECTOR_CLONES
 void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBounds& bounds) {
   const LidarGeometry& g = geometry;
   const float half = HalfSpanOf(cells.size);
-  // What rounding and the approximations may shift a bin by.
+  // Upper bound of the shift of a bin by rounding and approximations.
   constexpr float kSlack_bins = 0.2f;
   const float* __restrict xs = cells.x.data();
   const float* __restrict ys = cells.y.data();
@@ -102,7 +103,7 @@ void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBoun
     const float x = g.R[0][0] * gx + g.R[0][1] * gy + g.R[0][2] * gz;
     const float y = g.R[1][0] * gx + g.R[1][1] * gy + g.R[1][2] * gz;
     const float z = g.R[2][0] * gx + g.R[2][1] * gy + g.R[2][2] * gz;
-    // The range along the axes of the grid, on which the cell is a box.
+    // The range, along the grid's axes, in which the cell is a box.
     const float ax = gx < 0 ? -gx : gx, ay = gy < 0 ? -gy : gy, az = gz < 0 ? -gz : gz;
     const float nx = ax > half ? ax - half : 0.0f, ny = ay > half ? ay - half : 0.0f, nz = az > half ? az - half : 0.0f;
     const float fx = ax + half, fy = ay + half, fz = az + half;
@@ -124,7 +125,7 @@ void BoundCells(const CellBatch& cells, const LidarGeometry& geometry, LidarBoun
     }
     const float along = half * (ax + ay + az) * per_range;
     const float from_axis = flat - ahead, from_scanner = range - along;
-    const float round = 2.0f * kAzimuthBins;  // all around, and so beyond both edges
+    const float round = 2.0f * kAzimuthBins;  // beyond both edges of the image
     const float grown = 0.5f * across * across / from_axis;
     const float wide = across / from_axis * kBinsPerRadian + kSlack_bins;
     const float high = (up + grown) / from_scanner * kBinsPerSine + kSlack_bins;
@@ -191,8 +192,8 @@ void TestOctant(float x, float y, float z, const LidarGeometry& geometry, const 
     const float vx = px + dx[i], vy = py + dy[i], vz = pz + dz[i];
     const float range = std::sqrt(vx * vx + vy * vy + vz * vz);
     const float u = AzimuthBin(Azimuth(vy, vx)), v = ElevationBin(vz / (range + kTiny)) - first_row;
-    // Out of view: some bin, and a range that is before no limit. Where azimuths are not all around, the outermost
-    // columns have no limit.
+    // Out of view: use some bin, and a range that is before no limit. If the image does not surround the scanner, its
+    // outermost columns have no limit.
     const float right = u > first_u ? u : first_u, down = v > 0.0f ? v : 0.0f;
     const float column = right < last_u ? right : last_u, row = down < last_v ? down : last_v;
     ranges[i] = row == v ? range : kMissing;

@@ -41,7 +41,7 @@ void LidarView::Build(const LidarData& data, const Eigen::Matrix3d& R_sensor_gri
   pyramid_.Build(image_);
 }
 
-/// Each bin takes the least of the nine around, and nothing where one of them is missing. Azimuths go around.
+/// Each bin takes the minimum of the 3 x 3 bins around it, and 0 if one of them has no beam. Azimuths wrap around.
 void LidarView::SpreadBins(ThreadPool& pool) {
   image_.width = window().width;
   image_.height = window().height;
@@ -61,7 +61,7 @@ void LidarView::SpreadBins(ThreadPool& pool) {
 }
 
 SightPyramid::Span LidarView::OverEdge(int first_column, int last_column, int v0, int v1) const {
-  if (first_column < 0 || last_column >= kAzimuthBins) {  // goes on at the other edge
+  if (first_column < 0 || last_column >= kAzimuthBins) {  // continues at the other edge
     const auto around = [](int column) { return (column + kAzimuthBins) % kAzimuthBins; };
     const SightPyramid::Span left = Over(around(first_column), kAzimuthBins - 1, v0, v1);
     const SightPyramid::Span right = Over(0, around(last_column), v0, v1);

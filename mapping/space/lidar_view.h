@@ -14,22 +14,21 @@
 
 namespace dhpmap {
 
-/// What a LiDAR looks through. Its scan is points without an order, so directions are cut into bins, of
-/// which each has the least range of its points. Bins between two beams take the nearer one's, where the beams lie no
-/// farther apart than beams of this scan do. A voxel is free if its centre lies before that of its own and all eight
-/// bins around: all beams beside it go farther, and none of them is missing. Minus the truncation, and not beyond the
-/// range. The image is as wide as the scan. Keeps its buffers from frame to frame. Thread-compatible.
+/// The space that a LiDAR looks through. A scan's points have no order, so they are sorted into bins of direction; the
+/// limit of a bin is the minimum range of its points. A bin between two beams takes the smaller limit if the beams are
+/// no farther apart than usual in this scan. A voxel is free if its centre lies before the limits of its own bin and
+/// the eight around it, so all neighbouring beams exist and go farther. Limits are the range minus the truncation, at
+/// most the maximum range. The image is as wide as the scan. Keeps its buffers from frame to frame. Thread-compatible.
 class LidarView {
  public:
   /// `R_sensor_grid`: from the axes of the map's grid to the scanner's.
   void Build(const LidarData& data, const Eigen::Matrix3d& R_sensor_grid, const LookOptions& options, ThreadPool& pool);
 
-  /// A box, in voxels from the sensor along the axes of the grid, outside of which no voxel centre is free.
+  /// A box, in voxels from the sensor along the axes of the grid. No voxel centre outside is free.
   [[nodiscard]] Box Reach() const;
 
   void Classify(const CellBatch& cells, CellSights& sights) const;
-  /// Whether all bins that a ball may cover have beams around, all of which go farther than the ball and the
-  /// truncation.
+  /// Whether all bins that a ball may cover are surrounded by beams that go farther than the ball plus the truncation.
   void LookPast(const BallBatch& balls, std::array<bool, kLanes>& is_past) const;
   /// See TestOctant.
   void Test(float x, float y, float z, std::array<std::uint8_t, kOctantVoxels>& is_free) const {
@@ -43,8 +42,8 @@ class LidarView {
  private:
   void BuildGeometry(const Eigen::Matrix3d& R_sensor_grid);
   void SpreadBins(ThreadPool& pool);
-  /// Over columns of all around, which may go on beyond either edge, but less than once around; rows are those of the
-  /// image. What is beyond the image has no limit.
+  /// Bounds over columns, which may continue beyond either edge, but less than once around, and over rows of the image.
+  /// Beyond the image there is no limit.
   [[nodiscard]] SightPyramid::Span Over(int first_column, int last_column, int v0, int v1) const {
     const int u0 = first_column - window().first_column, u1 = last_column - window().first_column;
     if (u0 >= 0 && u1 < window().width) return pyramid_.Over(u0, v0, u1, v1);

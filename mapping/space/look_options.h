@@ -5,17 +5,17 @@
 
 namespace dhpmap {
 
-/// No voxel farther from the sensor than this is called free, whatever the range limit: bounds what a frame may cost.
+/// No voxel farther from the sensor than this counts as free, whatever the range limit. Bounds the cost of a frame.
 inline constexpr int kMaxSight_vox = 512;
 
-/// How a frame is looked through.
+/// Options for looking through a frame.
 struct LookOptions {
   double voxel_size_m = 0;
-  double margin_m = 0;     ///< before a return that is not called free
-  double max_range_m = 0;  ///< no farther
+  double margin_m = 0;     ///< length before a return that does not count as free
+  double max_range_m = 0;  ///< no voxel beyond counts as free
 };
 
-/// In voxels from the sensor, along the axes of the map's grid. Empty if `least` is above `most` somewhere.
+/// In voxels from the sensor, along the axes of the map's grid. Empty if `least` exceeds `most` along an axis.
 struct Box {
   Eigen::Vector3d least_vox = Eigen::Vector3d::Ones(), most_vox = -Eigen::Vector3d::Ones();
 

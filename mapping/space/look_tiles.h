@@ -13,7 +13,7 @@
 
 namespace dhpmap {
 
-/// A tile of the map's grid that a view looks through at least in part, its centre relative to the sensor.
+/// A tile of the map's grid that a view looks through at least partly; its centre is relative to the sensor.
 struct TileToLook {
   TileIndex index;
   CellSight sight;
@@ -25,7 +25,7 @@ struct TileRange {
   std::int32_t first = 0, last = -1;
   TileRange(double least_vox, double most_vox, std::int32_t origin, double offset_vox) {
     constexpr double kReach = kMaxSight_vox;
-    // Written so that NaN, of a camera of absurd focal length, is the limit.
+    // In this form NaN, from an absurd focal length, gives the largest range.
     const double least = least_vox > -kReach ? least_vox : -kReach, most = most_vox < kReach ? most_vox : kReach;
     if (!(least <= most)) return;
     first = TileOf(origin + static_cast<std::int32_t>(std::floor(least + offset_vox)));
@@ -34,8 +34,8 @@ struct TileRange {
   static std::int32_t TileOf(std::int32_t voxel) { return voxel >> (kBlockSideLog2 + kTileSideLog2); }
 };
 
-/// Tests all tiles within the view's reach, eight at a time, and lists those that are not hidden, or would not be if
-/// the view said to see farther by `farther_by_vox`.
+/// Tests all tiles within the view's reach, eight at a time. Lists those that are not hidden, or would not be if the
+/// view's limits were farther by `farther_by_vox`.
 template <typename View>
 void ListTiles(const View& view, const GridOrigin& origin, std::vector<TileToLook>& tiles, float farther_by_vox = 0) {
   constexpr int kSide = SideOf(CellSize::kTile);

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// Adds what the block's voxels say.
+/// Adds the counts of the block's voxels.
 void AddVoxelsOf(const BlockEntry& entry, const SubmapInfo& info, SurfaceVoxels& voxels) {
   if (entry.tsdf == nullptr) return;
   const auto near_m = static_cast<float>(info.voxel_size_m);
@@ -26,7 +26,7 @@ void AddVoxelsOf(const BlockEntry& entry, const SubmapInfo& info, SurfaceVoxels&
   }
 }
 
-/// So little is neither a part nor a thing: a block of which a look says anything has as many.
+/// Fewer doubted voxels than in one counted block: neither a part nor a thing.
 constexpr std::int64_t kLeastDoubted = 8;
 
 bool IsMostGone(const SurfaceVoxels& voxels) {
@@ -36,7 +36,7 @@ bool IsMostGone(const SurfaceVoxels& voxels) {
   return contradicted > kAbsentShare * all || static_cast<double>(voxels.doubted_unseen) > kAbsentShareUnseen * all;
 }
 
-/// Of the blocks against which something was counted. The others can only add to what is there.
+/// Counts only blocks with gone counts. Other blocks can only add to the surface that is present.
 SurfaceVoxels CountDoubtedBlocks(const Submap& submap) {
   SurfaceVoxels voxels;
   for (const TileEntry& tile : submap.blocks().tiles()) {

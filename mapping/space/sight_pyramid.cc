@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-/// Two rows of 2 n values become n of the least and the greatest of four each.
+/// Reduces two rows of 2 n values to n minima and maxima of four values each.
 DHPMAP_WIDE_VECTOR_CLONES
 void HalveRow(const float* __restrict least0, const float* __restrict least1, const float* __restrict most0,
               const float* __restrict most1, int n, float* __restrict least, float* __restrict most) {
@@ -22,7 +22,7 @@ void HalveRow(const float* __restrict least0, const float* __restrict least1, co
   }
 }
 
-/// The least and the greatest of each 2 x 2, of n + 1 values a row.
+/// Minimum and maximum of each 2 x 2 values, of rows of n + 1 values.
 DHPMAP_WIDE_VECTOR_CLONES
 void SlideRow(const float* __restrict least0, const float* __restrict least1, const float* __restrict most0,
               const float* __restrict most1, int n, SightPyramid::Span* __restrict slid) {
@@ -36,7 +36,7 @@ void SlideRow(const float* __restrict least0, const float* __restrict least1, co
   }
 }
 
-/// A grid of values that goes on beyond its last row; each row of `width` values.
+/// A grid of values that continues beyond its last row; each row has `width` values.
 struct Plane {
   const float* data;
   int width, height;
@@ -53,7 +53,7 @@ void SightPyramid::Build(const SightImage& image) {
   if (image.width <= 0 || image.height <= 0) return;
   Plane least{image.limit_vox.data(), image.width, image.height};
   Plane most = least;
-  // Up to where any rectangle has at most four cells a side.
+  // Ends when every rectangle has at most four cells a side.
   for (;;) {
     if (levels_.size() <= num_levels_) levels_.emplace_back();
     Level& level = levels_[num_levels_++];
@@ -67,7 +67,7 @@ void SightPyramid::Build(const SightImage& image) {
     for (int v = 0; v < level.height; ++v) {
       HalveRow(least.Row(2 * v), least.Row(2 * v + 1), most.Row(2 * v), most.Row(2 * v + 1), least.width / 2,
                row(level.least, v), row(level.most, v));
-      if (least.width % 2 != 0) {  // a column without a neighbour
+      if (least.width % 2 != 0) {  // the last column has no neighbour
         const auto last = static_cast<std::size_t>(least.width - 1);
         row(level.least, v)[last / 2] = std::min(least.Row(2 * v)[last], least.Row(2 * v + 1)[last]);
         row(level.most, v)[last / 2] = std::max(most.Row(2 * v)[last], most.Row(2 * v + 1)[last]);

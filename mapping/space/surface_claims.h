@@ -11,13 +11,13 @@
 
 namespace dhpmap {
 
-/// Which voxels of a block say that there is a surface within `most_m` of them: 1 or 0 a voxel, by LinearIndex.
+/// The voxels of a block that claim a surface within `most_m` of them: 1 or 0 per voxel, by LinearIndex.
 class SurfaceClaims {
  public:
-  /// Reads all of the block once, side by side; the same with every instruction set.
+  /// Reads the whole block once, vectorised; the result is the same with every instruction set.
   void Read(const TsdfBlock& block, float most_m);
 
-  /// Of a block that is to be read soon.
+  /// Prefetches a block that will be read soon.
   static void Prefetch(const TsdfBlock& block) {
     constexpr std::size_t kLineBytes = 64;
     const char* const first = reinterpret_cast<const char*>(block.distance_m.data());
@@ -25,7 +25,7 @@ class SurfaceClaims {
     for (std::size_t at = 0; at < 2 * sizeof(block.distance_m); at += kLineBytes) __builtin_prefetch(first + at);
   }
 
-  /// Those of an octant (see ChildrenOf), x fastest. Returns whether there are any.
+  /// Copies the claims of an octant (see ChildrenOf), x fastest. Returns whether there are any.
   bool Of(std::size_t octant, std::array<std::uint8_t, kOctantVoxels>& claims) const;
   [[nodiscard]] bool IsOne(int linear) const { return all_[static_cast<std::size_t>(linear)] != 0; }
   [[nodiscard]] int Count() const;

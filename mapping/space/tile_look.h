@@ -123,7 +123,7 @@ class TileLook {
     }
   }
 
-  /// Two rows of four bytes of 0 or 1 become four bits each, in a byte each.
+  /// Packs two rows of four bytes of 0 or 1 into four bits each, one byte per row.
   static std::uint64_t TwoRows(const std::uint8_t* is_free) {
     std::uint64_t bytes;
     std::memcpy(&bytes, is_free, sizeof(bytes));

@@ -22,7 +22,7 @@ struct BlockEntry {
   bool owns_tsdf = false;
   bool owns_labels = false;
   bool owns_gone = false;
-  // Likewise before the map was last forked to be written in place: nobody but that fork shares them
+  // Set in place of the above when the map is forked to be written in place: only that fork shares the layer
   // (Map::ForkInPlace).
   bool owned_tsdf = false;
   bool owned_labels = false;

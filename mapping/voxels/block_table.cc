@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-/// Adds the layers that are wanted of `from`, and what a store knows of them.
+/// Adds the wanted layers of `from`, with their storage keys.
 void AddLayersOf(const BlockTile* from, const BlockLayers& wanted, BlockTile& into) {
   if (from == nullptr) return;
   for (const BlockEntry& block : from->entries()) {
@@ -50,7 +50,7 @@ BlockTile& BlockTable::Own(TileEntry& entry, std::uint64_t generation) {
     entry.generation = generation;
     entry.is_forked = false;
   }
-  return const_cast<BlockTile&>(*entry.tile);  // made by this generation: nobody else holds it
+  return const_cast<BlockTile&>(*entry.tile);  // made by this generation: not shared
 }
 
 const BlockEntry* BlockTable::FindElsewhere(BlockIndex index) const {
@@ -78,7 +78,7 @@ BlockTable::OwnEntry BlockTable::FindOwn(BlockIndex index, std::uint64_t generat
   const std::uint32_t number = numbers_.Find(TileOf(index));
   if (number == kNone || tiles_[number].generation != generation) return {};
   auto& tile = const_cast<BlockTile&>(*tiles_[number].tile);  // made by this generation: no snapshot holds it
-  (void)tile.mutable_entries();                               // what was found out of it does not hold any more
+  (void)tile.mutable_entries();                               // drops cached values
   return {tile.Find(CellOf(index)), tiles_[number].is_forked};
 }
 
@@ -147,14 +147,14 @@ void BlockTable::PutLayers(TileIndex index, const BlockTile* from, const BlockLa
   }
 }
 
-/// A few blocks that were found by themselves go with a table that has all tiles: it is read for that.
+/// Takes over all tiles if the loader has read some blocks by themselves, by reading the rest.
 bool BlockTable::TakeTilesInMemory() {
   if (unread_->IfRead() == nullptr && !unread_->HoldsBlocks()) return false;
   try {
     TakeTiles();
     return true;
   } catch (const StatusError&) {
-    return false;  // they stay; whoever asks for more of them is told
+    return false;  // the blocks stay; a later request returns the error
   }
 }
 

@@ -20,15 +20,15 @@ struct TileEntry {
   TileIndex index;
   std::shared_ptr<const BlockTile> tile;  ///< never null, never empty
   std::uint64_t generation = 0;           ///< of the writer that made it; see BlockTable
-  bool is_forked = false;                 ///< a fork has it, too; see BlockTable::ForkTiles
+  bool is_forked = false;                 ///< a fork shares it; see BlockTable::ForkTiles
 };
 
-/// Returns the same tile (by PartId) as another object that keeps its blocks elsewhere. Null: keep the present one.
+/// Returns the same tile (by PartId) as another object, such as an evicted one. Null: keep the present one.
 using OtherTile = std::function<std::shared_ptr<const BlockTile>(const BlockTile&)>;
 
-/// Blocks by their index, in tiles. Copying shares the tiles, some bytes a tile; two copies are compared tile by tile.
-/// A writer names its generation, which must be new after each copy of the table: it copies a tile of another
-/// generation before it writes to it. Thread-compatible.
+/// Blocks by their index, in tiles. Copying shares the tiles and takes some bytes per tile; two copies are compared
+/// tile by tile. A writer names its generation, which must be new after each copy of the table: it copies a tile of
+/// another generation before it writes to it. Thread-compatible.
 ///
 /// A table made of a TableLoader leaves its tiles on disk until more than a few blocks are requested. That read throws
 /// StatusError if it fails. Writing reads all tiles first.
@@ -64,7 +64,7 @@ class BlockTable {
   /// The loader of a table that has not been written to since it was loaded; else null. Reads nothing.
   [[nodiscard]] const std::shared_ptr<const TableLoader>& unread() const { return unread_; }
 
-  /// Whether both are known to hold the same tiles, as loaded. Reads nothing.
+  /// Whether both hold the same unread loader. Reads nothing.
   [[nodiscard]] bool SharesUnread(const BlockTable& other) const {
     return unread_ != nullptr && unread_ == other.unread_;
   }
@@ -76,7 +76,7 @@ class BlockTable {
   /// An entry of a tile that the writer of `generation` made; null: there is none.
   struct OwnEntry {
     const BlockEntry* entry = nullptr;
-    bool is_forked = false;  ///< the tile is (ForkTiles)
+    bool is_forked = false;  ///< the tile is forked (ForkTiles)
   };
   /// For writing layers in place, without copying a forked tile.
   OwnEntry FindOwn(BlockIndex index, std::uint64_t generation);
@@ -102,8 +102,8 @@ class BlockTable {
   bool Replace(const OtherTile& other);
   /// Marks every tile as shared, whatever its generation: for two copies that continue with the same generation.
   void ShareTiles();
-  /// Makes the writer copy each tile before it next writes to it, but not the blocks that it allocated itself: what it
-  /// owns becomes what it owned (BlockEntry). For a table of which a copy is kept to go back to.
+  /// Makes the writer copy each tile before its next write. Blocks that the writer allocated stay writable in place, as
+  /// `owned` ones (BlockEntry). For a table of which a copy is kept for rollback.
   void ForkTiles();
 
   /// Cached SphereOfObserved, valid until the table is next written to.
@@ -114,17 +114,17 @@ class BlockTable {
  private:
   static constexpr std::uint32_t kNone = IndexMap<TileIndex>::kNone;
   static BlockTile& Own(TileEntry& entry, std::uint64_t generation);
-  /// The table that has the tiles.
+  /// This table, or the one that has read the tiles.
   [[nodiscard]] const BlockTable& Read() const { return unread_ == nullptr ? *this : ReadTiles(); }
   [[nodiscard]] const BlockTable& ReadTiles() const {
     const BlockTable* all = unread_->IfRead();
     return all != nullptr ? *all : unread_->Read();
   }
-  /// For a tile that this table does not hold itself.
+  /// Finds a block through the loader.
   [[nodiscard]] const BlockEntry* FindElsewhere(BlockIndex index) const;
   /// Takes over the loader's tiles.
   void TakeTiles();
-  /// Likewise if some blocks may be in memory and all can be read. Returns whether it did.
+  /// The same if some blocks are in memory and the rest can be read. Returns whether it did.
   bool TakeTilesInMemory();
   void BeginWriting() {
     extent_.Forget();

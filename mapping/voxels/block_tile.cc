@@ -31,10 +31,10 @@ void BlockTile::KeepShortLabelsOf(const BlockTile& other) {
 
 bool BlockTile::CanBeUnread() const {
   if (loader_ == nullptr || !loader_->IsRead()) return false;
-  if (loader_->HasOwnNames()) return true;  // wherever else it is stored
+  if (loader_->HasOwnNames()) return true;  // spilled: its loader can always read it again
   const TileOnDisk& there = loader_->tile();
   for (std::size_t i = 0; i < kNumBlockLayers; ++i) {
-    if (there.keys[i] != 0 && stored_[i].In(there.store) != there.keys[i]) return false;  // stored anew since
+    if (there.keys[i] != 0 && stored_[i].In(there.store) != there.keys[i]) return false;  // stored again since
   }
   return true;
 }
@@ -105,7 +105,7 @@ std::span<const BlockEntry> ScannedTile::Read(const BlockTile& tile) {
     own_ = tile.loader()->ReadInPassing();
     return own_->blocks();
   } catch (const StatusError&) {
-    return tile.entries();  // of an older state: who changed the tile has read it before its blobs went
+    return tile.entries();  // of an older state: a writer reads a tile before its blobs are deleted
   }
 }
 

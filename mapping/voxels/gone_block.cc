@@ -20,7 +20,7 @@ VoxelMask GoneBlock::Contradicted() const {
 bool GoneBlock::IsDistinct(const Viewpoint& view) const {
   if (empty()) return true;
   if ((view.position_m - last_.position_m).squaredNorm() >= kDistinct_m * kDistinct_m) return true;
-  // Stamps are a client's: their difference may not fit, that of the same numbers without a sign does.
+  // Clients choose stamps, so a signed difference may overflow; the unsigned one does not.
   const auto now = static_cast<std::uint64_t>(view.stamp_ns), then = static_cast<std::uint64_t>(last_.stamp_ns);
   return (view.stamp_ns > last_.stamp_ns ? now - then : then - now) >= static_cast<std::uint64_t>(kDistinct_ns);
 }

@@ -16,9 +16,9 @@ struct Viewpoint {
   std::int64_t stamp_ns = 0;                             ///< the sensor's clock
 };
 
-/// How often sensors have looked through the surface of a block: a count of 0 to 3 a voxel, next to the TSDF, which
-/// stays as observed. A voxel with a count of 3 is contradicted: its surface is gone, whatever the TSDF says. Observing
-/// it again resets the count to 0. Thread-compatible.
+/// How often sensors have looked through the surface of a block: a count of 0 to 3 per voxel. The TSDF stays as
+/// observed. A voxel with a count of 3 is contradicted: its surface is gone, whatever the TSDF says. Observing it again
+/// resets the count to 0. Thread-compatible.
 ///
 /// Each viewpoint counts once, because frames from nearly the same place and time make the same errors.
 class GoneBlock {

@@ -29,7 +29,7 @@ class KeptExtent {
   KeptExtent(KeptExtent&& other) noexcept { *this = std::move(other); }
   KeptExtent& operator=(KeptExtent&& other) noexcept {
     *this = other;
-    other.Forget();  // its table has no blocks any more
+    other.Forget();  // the other table has no blocks any more
     return *this;
   }
 

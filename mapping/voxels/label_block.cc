@@ -8,7 +8,7 @@
 namespace dhpmap {
 namespace {
 
-/// The best of the counts that visit_all(visit) visits.
+/// The largest of the counts that visit_all(visit) visits.
 template <typename Id, typename VisitAll>
 BestSeen<Id> FindBest(const VisitAll& visit_all) {
   BestSeen<Id> best;
@@ -201,7 +201,7 @@ void LabelBlock::AddTo(LabelTotals& totals) const {
   if (counts_) return AddCountsTo(totals);
   for (int linear = 0; linear < kBlockVoxels; ++linear) {
     const Cell cell = CellAt(linear);
-    if (cell.class_a != kOverflow && !IsConcluded(linear)) {  // nearly all
+    if (cell.class_a != kOverflow && !IsConcluded(linear)) {  // true for nearly all
       const std::uint32_t own = cell.Total();
       if (own == 0) continue;
       totals.AddClass(cell.class_a, cell.CountA());

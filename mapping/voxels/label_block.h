@@ -27,7 +27,7 @@ using BestLabel = BestSeen<std::uint32_t>;
 
 /// Sum of the counts of several voxels.
 struct LabelTotals {
-  std::vector<std::uint64_t> classes;    ///< by class id, without voxels that are held by conclusion
+  std::vector<std::uint64_t> classes;    ///< by class id, without concluded voxels
   std::vector<std::uint32_t> seen;       ///< ids of the classes with a count, in any order
   std::uint64_t own = 0, instances = 0;  ///< count of the own instance, and of all instances
 
@@ -40,7 +40,7 @@ struct LabelTotals {
 };
 
 /// Exact label counts of one block (paper II-A, II-C). In most blocks, all voxels have seen at most one class and their
-/// own submap: 2 bytes a voxel. After that, each voxel of the block permanently takes 8 bytes, which hold counts of one
+/// own submap: this takes 2 bytes per voxel. Other blocks permanently take 8 bytes per voxel, which hold counts of one
 /// or two classes of the own instance inline. Everything else (a third class, another instance, a count above 65,535 of
 /// one of two classes) goes to an overflow list. Counts saturate at 2^32 - 1. Thread-compatible.
 ///
@@ -53,38 +53,38 @@ class LabelBlock {
 
   LabelBlock() = default;
   LabelBlock(const LabelBlock& other) = default;
-  /// All or nothing if memory runs out.
+  /// Strong exception guarantee if memory runs out.
   LabelBlock& operator=(const LabelBlock& other);
   ~LabelBlock() = default;
 
-  /// Adds one observation of class `c` that also counts for the own instance (paper II-C). `count` is what it counts,
-  /// 1 to 65,535.
+  /// Adds an observation of class `c`, which also counts for the own instance (paper II-C). `count` is its weight, 1 to
+  /// 65,535.
   void AddObservation(int linear, ClassId c, std::uint32_t count = 1) {
     if (!AddInPlace(linear, c, count)) AddObservationSlowly(linear, c, count);
   }
-  /// The same if that only raises a count where it is; otherwise changes nothing and returns false.
+  /// The same if it only raises an existing count; otherwise changes nothing and returns false.
   bool AddInPlace(int linear, ClassId c, std::uint32_t count = 1) {
     const auto i = static_cast<std::size_t>(linear);
     if (counts_) {
       std::uint16_t& seen = counts_[i];
       if (class_ != c.value || seen + count > kMaxInlineCount) return false;
-      seen = static_cast<std::uint16_t>(seen + count);  // nearly always
+      seen = static_cast<std::uint16_t>(seen + count);  // true nearly always
       return true;
     }
-    // The lower half of a wide count, too, if that does not carry.
+    // Also raises the lower half of a wide count if that does not overflow.
     Cell& cell = cells_[i];
     if (cell.class_a != c.value || cell.count_a == 0 || cell.count_a + count > kMaxInlineCount) return false;
     cell.count_a = static_cast<std::uint16_t>(cell.count_a + count);
     return true;
   }
-  /// Undoes the last AddInPlace of 1 in this voxel, of a block that has only been added to in place since.
+  /// Reverts the last AddInPlace of 1 in this voxel. Since then the block may only have been added to in place.
   void TakeBack(int linear) {
     const auto i = static_cast<std::size_t>(linear);
     std::uint16_t& seen = counts_ ? counts_[i] : cells_[i].count_a;
     seen = static_cast<std::uint16_t>(seen - 1);
   }
 
-  /// Asks memory for the counts, which are to be written.
+  /// Prefetches the counts for writing.
   void Fetch() const {
     constexpr int kToWrite = 1;
     const void* const values = counts_ ? static_cast<const void*>(&counts_[0]) : static_cast<const void*>(&cells_[0]);

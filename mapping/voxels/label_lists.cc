@@ -18,7 +18,7 @@ bool IsWide(const LabelHistograms& histograms) {
                      [](const InstanceCount& seen) { return std::max(seen.id.code(), seen.count) > kMostNarrow; });
 }
 
-/// Room beyond what is used, where more is likely: most blocks have few lists.
+/// Adds room where growth is likely: most blocks have few lists.
 std::size_t WithSlack(std::size_t num) { return num + num / 8; }
 
 }  // namespace
@@ -88,7 +88,7 @@ void LabelLists::AddObservation(std::uint32_t number, ClassId c, std::uint32_t c
   const Entry& entry = entries_[number];
   if (Raise(entry, entry.num_classes, entry.size(), {kOwnInstance.code(), count})) {
     if (Raise(entry, 0, entry.num_classes, {c.value, count})) return;
-    LabelHistograms all = Get(number);  // it has the observation of the instance
+    LabelHistograms all = Get(number);  // includes the instance's count
     all.classes = SumCounts(all.classes, LabelHistograms::OfClass(c, count).classes);
     return Set(number, all);
   }

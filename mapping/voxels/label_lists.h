@@ -9,12 +9,12 @@
 
 namespace dhpmap {
 
-/// Label counts of the voxels of a block that do not fit into their cells, by entry number: 8 bytes a voxel, and
-/// 4 bytes a count (8 in a voxel with an id or a count above 65,535). All lists lie in one array. Of a voxel at most
-/// 65,535 classes and 65,535 instances are kept, those with the lowest ids. Thread-compatible.
+/// Label counts that do not fit into the cells of a block, by entry number: 8 bytes per voxel, and 4 bytes per count (8
+/// in a voxel with an id or a count above 65,535). All lists share one array. A voxel keeps at most 65,535 classes and
+/// 65,535 instances, those with the lowest ids. Thread-compatible.
 class LabelLists {
  public:
-  /// Returns the number of a new entry, or of one that was removed.
+  /// Returns the number of a new entry, or a reused one.
   std::uint32_t Add(const LabelHistograms& histograms);
   void Set(std::uint32_t entry, const LabelHistograms& histograms);
   void Remove(std::uint32_t entry);
@@ -42,17 +42,17 @@ class LabelLists {
   /// Moves the counts of an instance to another, adding to those that it has.
   void RenameInstance(SeenInstance from, SeenInstance to);
 
-  /// Without removed ones.
+  /// Does not count removed entries.
   [[nodiscard]] std::size_t NumEntries() const { return entries_.size() - free_.size(); }
   /// Makes room for that many entries.
   void Reserve(std::size_t num_entries) { entries_.reserve(num_entries); }
-  /// Gives back memory that it does not use.
+  /// Frees unused memory.
   void Shrink();
   [[nodiscard]] std::size_t MemoryBytes() const;
 
  private:
   struct Entry {
-    std::uint32_t first : 31, is_wide : 1;  ///< word; whether ids and counts take two words each
+    std::uint32_t first : 31, is_wide : 1;  ///< index of its first word; whether ids and counts take two words each
     std::uint16_t num_classes, num_instances;
     [[nodiscard]] std::uint32_t size() const { return std::uint32_t{num_classes} + num_instances; }
     [[nodiscard]] std::uint32_t num_words() const { return size() * (is_wide != 0 ? 4u : 2u); }
@@ -69,13 +69,13 @@ class LabelLists {
   void Put(const Entry& entry, std::size_t i, const LabelCount& seen);
   /// Raises the count of an id among [begin, end). Returns whether there is one that can hold the sum.
   bool Raise(const Entry& entry, std::uint32_t begin, std::uint32_t end, LabelCount by);
-  /// Moves all words together, into an array with room for more.
+  /// Moves all words together, into an array with room for `num_more`.
   void Compact(std::size_t num_more);
 
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> free_;  ///< numbers of removed entries
   std::vector<std::uint16_t> words_;
-  std::size_t num_unused_ = 0;  ///< words of no entry
+  std::size_t num_unused_ = 0;  ///< words that belong to no entry
 };
 
 }  // namespace dhpmap

@@ -5,8 +5,8 @@
 
 namespace dhpmap {
 
-/// Change of a TSDF over one voxel along an axis, from a voxel's distance and those of its two neighbours, NaN for what
-/// is not observed: central where both are, one-sided where one is, 0 where neither is. In metres a voxel.
+/// Change of a TSDF over one voxel along an axis, from a voxel's distance and those of its two neighbours, NaN if
+/// unobserved. Central if both neighbours are observed, one-sided if one is, 0 if none is. In metres per voxel.
 inline float Slope(float below_m, float here_m, float above_m) {
   if (!std::isnan(below_m) && !std::isnan(above_m)) return 0.5f * (above_m - below_m);
   if (!std::isnan(above_m)) return above_m - here_m;

@@ -8,10 +8,10 @@ namespace dhpmap {
 namespace {
 
 constexpr int kSide = kTileSide * kBlockSide;
-constexpr int kBits = 7;  // of 0 to kSide
+constexpr int kBits = 7;  // for values of 0 to kSide
 constexpr std::uint64_t kIsKnown = std::uint64_t{1} << (6 * kBits);
 
-/// Where a block lies in its tile, in voxels.
+/// A block's position in its tile, in voxels.
 std::array<int, 3> CornerOf(BlockIndex block) {
   const int cell = CellOf(block);
   constexpr int kMask = kTileSide - 1;
@@ -19,7 +19,7 @@ std::array<int, 3> CornerOf(BlockIndex block) {
           (cell >> (2 * kTileSideLog2)) * kBlockSide};
 }
 
-/// By the greatest weight of each plane across the axes, a row of voxels at a time: ten times as fast as to look at
+/// From the maximum weight of each plane across the axes, one row of voxels at a time: ten times as fast as testing
 /// each voxel.
 TileExtent ExtentOfBlock(const BlockEntry& entry) {
   constexpr int kRows = kBlockSide * kBlockSide;

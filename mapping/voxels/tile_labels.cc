@@ -15,7 +15,7 @@ void TileLabels::AddTo(LabelTotals& totals) const {
 }
 
 TileLabels LabelsOf(std::span<const BlockEntry> blocks) {
-  thread_local std::vector<std::uint64_t> zeros;  // ids may be large, and tiles are many
+  thread_local std::vector<std::uint64_t> zeros;  // ids may be large, and there are many tiles
   LabelTotals totals;
   totals.classes.swap(zeros);
   for (const BlockEntry& block : blocks) {

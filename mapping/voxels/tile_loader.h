@@ -38,7 +38,7 @@ class TileLoader {
   [[nodiscard]] const PartNames& names() const { return names_; }
   /// Name of a block's layer; 0 if it has none.
   [[nodiscard]] std::uint64_t PartIdOf(BlockLayer layer, int cell) const { return names_.Of(tile_.cells, layer, cell); }
-  /// Whether its blocks were in memory before and keep their names.
+  /// Whether its blocks were in memory before, so that they keep their names.
   [[nodiscard]] bool HasOwnNames() const { return !names_.AreDrawn(); }
 
   /// By ascending cell; reads them if necessary. Valid as long as the loader. Throws StatusError; the next call tries

@@ -30,7 +30,7 @@ void VisitNames(const Blocks& blocks, Visitor&& visit) {
   }
 }
 
-/// What the layers of blocks are called, and which there are.
+/// The names of the blocks' layers, and which layers exist.
 template <typename Blocks>
 PartNames NamesOf(const Blocks& blocks, std::uint64_t tile, LayerCells& cells) {
   VisitNames(blocks, [&](std::size_t layer, int cell, std::uint64_t) { cells[layer] |= std::uint64_t{1} << cell; });

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// The allocator rounds up, by 9 %.
+/// The allocator rounds up by 9 %.
 std::size_t HeapBytesOfOne() {
   static const std::size_t bytes = HeapBytesFor(sizeof(TsdfBlock));
   return bytes;

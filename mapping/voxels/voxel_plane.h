@@ -10,14 +10,14 @@
 
 namespace dhpmap {
 
-/// One value a voxel of a block, zero at first, in an allocation of its own: where that is a whole page, the allocator
-/// rounds nothing up and gives the page back with the block, whatever its neighbours do. Indexed by LinearIndex. Copies
-/// are deep. Counted as MemoryKind::kBlocks. Thread-compatible.
+/// One value per voxel of a block, initially zero, in its own allocation. If that is a whole page, the allocator wastes
+/// nothing and frees the page with the block, whatever happens to neighbouring allocations. Indexed by LinearIndex.
+/// Copies are deep. Counted as MemoryKind::kBlocks. Thread-compatible.
 template <typename T>
 class VoxelPlane {
  public:
   VoxelPlane() : values_(std::make_unique<Values>()) {}
-  /// Without values; so is one that was moved from.
+  /// A plane without values, as after a move.
   static VoxelPlane None() { return VoxelPlane(nullptr); }
   VoxelPlane(const VoxelPlane& other) : values_(other ? std::make_unique<Values>(*other.values_) : nullptr) {}
   VoxelPlane& operator=(const VoxelPlane& other) { return *this = VoxelPlane(other); }
@@ -30,7 +30,7 @@ class VoxelPlane {
   T& operator[](std::size_t linear) { return values_->all[linear]; }
   const T& operator[](std::size_t linear) const { return values_->all[linear]; }
 
-  static constexpr std::size_t kBytes = sizeof(std::array<T, kBlockVoxels>);  ///< of the allocation
+  static constexpr std::size_t kBytes = sizeof(std::array<T, kBlockVoxels>);  ///< size of the allocation
 
  private:
   struct Values {

@@ -13,14 +13,14 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-/// The field with that name, if it is one of `consistency` and not of another meaning.
+/// The field `consistency`, if it has that field's type.
 const FieldDescriptor* ConsistencyOf(const Descriptor& type) {
   const FieldDescriptor* field = type.FindFieldByName("consistency");
   const bool is_it = field != nullptr && field->enum_type() == v1::Consistency::Level_descriptor();
   return is_it ? field : nullptr;
 }
 
-/// Past states are kept by the owner.
+/// The request reads a past state. Only the map's owner keeps those.
 bool IsOfPast(const Message& request) {
   const FieldDescriptor* revision = request.GetDescriptor()->FindFieldByName("read_revision");
   return revision != nullptr && request.GetReflection()->GetInt64(request, revision) != 0;

@@ -5,9 +5,9 @@
 
 namespace dhpmap {
 
-/// Whether every server of a fleet answers this request itself, and not the owner of its map alone: a watch, and a read
-/// with `consistency: EVENTUAL` of the present state. Of a stream's message: its query. Knows requests by their fields,
-/// so new ones need nothing here.
+/// Whether every server of a fleet answers this request itself, and not only the map's owner: a watch, and a read of
+/// the present state with `consistency: EVENTUAL`. For a message of a stream: the same of its query. The function looks
+/// at the request's fields, so a new request needs no change here.
 bool AnsweredAnywhere(const google::protobuf::Message& request);
 
 }  // namespace dhpmap

@@ -8,10 +8,10 @@
 
 namespace dhpmap {
 
-/// As MessageLayout::OutlineOf, of bytes as gRPC hands them over, which are not copied.
+/// MessageLayout::OutlineOf for a gRPC buffer, without copying its bytes.
 inline Result<MessageOutline> OutlineOf(const MessageLayout& layout, const grpc::ByteBuffer& bytes) {
   if (!bytes.Valid()) return layout.Malformed();
-  grpc::ByteBuffer shared = bytes;  // the reader is no friend of const
+  grpc::ByteBuffer shared = bytes;  // ByteBufferReader takes no const buffer
   grpc::ProtoBufferReader reader(&shared);
   return layout.OutlineOf(reader);
 }

@@ -72,8 +72,8 @@ Status TooBusy() {
 
 namespace {
 
-/// One unary call from its arrival to its answer. Owns itself: lives until gRPC is done with it and nobody can respond
-/// any more.
+/// One unary call from its arrival to its answer. Owns itself: lives until gRPC is done with it and no handler can
+/// still respond.
 class UnaryReactor final : public grpc::ServerUnaryReactor {
  public:
   using Handler = std::function<void(Respond, std::stop_token)>;
@@ -115,7 +115,7 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
     Finish(AnswerOf(status));
   }
 
-  /// Whatever there is no memory for, the call ends.
+  /// Ends the call even if memory runs out.
   grpc::Status AnswerOf(const Status& status) noexcept {
     try {
       const Status answer = status.ok() && !HasRoomForAnswer() ? TooManyBytes() : status;
@@ -126,7 +126,7 @@ class UnaryReactor final : public grpc::ServerUnaryReactor {
     }
   }
 
-  /// The answer stays as a message and as bytes until the client has taken it.
+  /// The answer is in memory twice, as a message and as bytes, until the client has taken it.
   bool HasRoomForAnswer() {
     if (call_.response == nullptr) return true;
     return share_.Resize(2 * call_.response->ByteSizeLong());

@@ -34,29 +34,29 @@ namespace dhpmap {
 class MapQuota;
 class Relay;
 
-/// What all services share.
+/// Objects that all services share.
 struct ServiceContext {
   MapRegistry& registry;
   Lanes& lanes;
   const GrpcOptions& options;
   const GrpcObserver& observer;
   PinnedSnapshots& held;
-  std::atomic<int>& num_checks;  ///< that are being answered in pieces
+  std::atomic<int>& num_checks;  ///< checks that are being answered in pieces
   MapQuota& quota;
-  const std::atomic<bool>* is_serving = nullptr;  ///< GrpcServer::is_serving; null: it is not
-  Relay* relay = nullptr;                         ///< null: there is no fleet
+  const std::atomic<bool>* is_serving = nullptr;  ///< GrpcServer::is_serving; null: not serving
+  Relay* relay = nullptr;                         ///< null: the server belongs to no fleet
 };
 
-/// Over the calling thread and those of the bulk lane that have nothing else to do. What they read from the disk counts
-/// for the caller's request. Lives as long as the lane.
+/// Spreads work over the calling thread and idle threads of the bulk lane. Pages that they read from disk count for the
+/// caller's request. Lives as long as the lane.
 Spread OnBulkLane(const ServiceContext& context);
 
-/// The bookkeeping of one call: takes its time, tells the observer, and logs an error that is our fault, once.
+/// The bookkeeping of one call: measures its time, informs the observer, and logs an internal error once.
 class CallRecord {
  public:
   /// `method`: "MapService/GetMap", a literal.
   CallRecord(const ServiceContext& context, std::string_view method) : context_(context), method_(method) {}
-  /// To be called once, when the answer is known.
+  /// Call it once, when the answer is known.
   void End(const Status& status) const;
 
  private:
@@ -65,78 +65,74 @@ class CallRecord {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A call with one request, which is kept, and counted, until it is over: see CountedService.
+/// A call with one request. The request is kept, and counted, until the call ends: see CountedService.
 struct CallMessages {
   std::string_view method;  ///< "MapService/GetMap", a literal
   const google::protobuf::Message* request;
-  /// To be filled, if there is one and the call changes nothing; a call that changed something is answered, whatever
-  /// room there is.
+  /// The response to fill. Null for a call that changes something: such a call is answered even if memory is short.
   const google::protobuf::Message* response = nullptr;
-  /// The resource whose map the handler opens, if it does: "maps/room/submaps/3".
+  /// The resource whose map the handler opens, if any: "maps/room/submaps/3".
   std::string_view opens = {};
 };
 
-/// The lane for what is quick once the map of the resource `opens` is there for `request`: quick, unless that is to be
-/// loaded first.
+/// The lane for a call that is quick once the map of the resource `opens` is loaded: quick, or loads if `request` has
+/// to wait for the load.
 Lane& QuickLane(const ServiceContext& context, std::string_view opens, const google::protobuf::Message& request);
 
-/// Calls work() and turns whatever it throws into a status (see StatusOfException): the one outer
-/// catch of every handler.
+/// Calls work() and turns any exception into a status (see StatusOfException): the one outer catch of every handler.
 Status RunGuarded(const std::function<Status()>& work);
 
-/// Logs INTERNAL, UNKNOWN and DATA_LOSS with their cause, which clients are not told; nothing else.
+/// Logs INTERNAL, UNKNOWN and DATA_LOSS with their cause, which clients do not see. Ignores other codes.
 void LogOurFault(std::string_view what, const Status& status);
 
-/// What a stream ends with whose map has gone on for so long that there is no room for the state it shows.
+/// The final status of a stream whose pinned state no longer fits into memory because the map has moved on.
 Status StateHasNoRoom();
 
-/// Answers from a state that is held for it as long as there is room for what only it still needs; `work` is told when
-/// there is none any longer, or when `stop` is requested, and then ends with CANCELLED.
+/// Answers from a state that is pinned while memory for it suffices. If it no longer does, or if `stop` is requested,
+/// `work`'s token is set, and `work` ends with CANCELLED.
 Status WhileThereIsRoom(const ServiceContext& context, std::shared_ptr<const MapSnapshot> state,
                         const std::stop_token& stop, const std::function<Status(const std::stop_token&)>& work);
 
-/// What a call is answered for which there is no room in its lane.
+/// The answer to a call for which its lane has no room.
 Status TooBusy();
 
-/// Answers a unary call. From any thread; the first call counts.
+/// Answers a unary call. Callable from any thread; only the first call counts.
 using Respond = std::function<void(const Status&)>;
 
-/// Runs a unary handler on the quick lane, see QuickLane; it responds itself, at once or later from another thread.
-/// What it throws before that is answered as INTERNAL. A call whose client is gone, or past its deadline, before its
-/// turn has come is let go at once; if too many wait, or there is no room for the answer, it is
-/// answered RESOURCE_EXHAUSTED. The token tells when nobody waits for the answer any longer; a handler may go on all
-/// the same.
+/// Runs a unary handler on the quick lane, see QuickLane. The handler responds itself, at once or later from another
+/// thread. An exception that it throws before that is answered as INTERNAL. A call that was cancelled or passed its
+/// deadline while it waited is dropped. If too many calls wait, or the answer does not fit, the answer is
+/// RESOURCE_EXHAUSTED. The token is set when the client no longer waits; the handler may ignore it.
 grpc::ServerUnaryReactor* RunAsync(const ServiceContext& context, const CallMessages& call,
                                    std::function<void(Respond, std::stop_token)> handler);
 
-/// The same on a lane of the caller's choice, and refused at once if there is no room for an answer of `answer_bytes`.
+/// The same on the given lane. Refused at once if an answer of `answer_bytes` does not fit.
 grpc::ServerUnaryReactor* RunAsyncIn(Lane& lane, const ServiceContext& context, const CallMessages& call,
                                      std::size_t answer_bytes, std::function<void(Respond, std::stop_token)> handler);
 
 /// Runs a unary handler as RunAsync does and responds with what it returns.
 grpc::ServerUnaryReactor* Run(const ServiceContext& context, const CallMessages& call, std::function<Status()> handler);
 
-/// The same on the bulk lane, for what takes milliseconds or more, and refused at once if there is no room for an
-/// answer of `answer_bytes`. The token tells when nobody waits for the answer any longer: then the handler ends soon,
-/// with whatever status.
+/// The same on the bulk lane, for work of milliseconds or more. Refused at once if an answer of `answer_bytes` does not
+/// fit. The token is set when the client no longer waits: the handler then ends soon, with any status.
 grpc::ServerUnaryReactor* RunBulk(const ServiceContext& context, const CallMessages& call, std::size_t answer_bytes,
                                   std::function<Status(std::stop_token)> handler);
 
-/// What a stream keeps from message to message.
+/// Memory that a stream holds between messages.
 struct StreamKeeps {
-  ByteShare& room;  ///< to grow by what that is, but for a state
-  /// To be called with the state that it goes through, if it does. RESOURCE_EXHAUSTED if there is no room for one.
+  ByteShare& room;  ///< to be resized to what the stream holds, its state excepted
+  /// Call it with the state that the stream reads, if any. RESOURCE_EXHAUSTED if the state does not fit.
   std::function<Status(PinnedSnapshots::State)> hold;
 };
 
-/// Streams messages to a client, made on the bulk lane one at a time while the client takes them; refused if there is
-/// no room for what a stream keeps. Deletes itself when the call is over.
+/// Streams messages to a client. The bulk lane makes one message at a time, as the client takes them. The stream is
+/// refused if what it holds does not fit. Deletes itself when the call is over.
 template <typename Response>
 class ChunkStream final : public grpc::ServerWriteReactor<Response> {
  public:
-  /// Fills the next message; false: there is none.
+  /// Fills the next message; false: there are no more.
   using Next = std::function<Result<bool>(Response&)>;
-  /// What comes before the first message, which may take long; the token tells when nobody waits for it any longer.
+  /// Work before the first message, which may take long. The token is set when the client no longer waits.
   using Prepare = std::function<Result<Next>(std::stop_token, const StreamKeeps&)>;
 
   static ChunkStream* Start(const ServiceContext& context, grpc::CallbackServerContext* call_context,
@@ -170,10 +166,10 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     if (!ok || has_no_room_) return End(WhyBroken());
     const auto task = std::make_shared<LaneTask>([this] { WriteNext(); });
     SetTask(task);
-    context_.lanes.bulk.Post(task);  // one a stream, so bounded by the streams that have begun
+    context_.lanes.bulk.Post(task);  // one task per stream, so the number of open streams bounds it
     if (stop_.stop_requested() && task->GiveUp()) End(WhyBroken());
   }
-  /// What waits for a thread is given up, so that its state goes at once and not when its turn has come.
+  /// Drops a task that still waits for a thread, so that its state is freed now.
   void OnCancel() override {
     stop_.request_stop();
     if (const auto task = Task(); task && task->GiveUp()) End(WhyBroken());
@@ -184,7 +180,7 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   }
 
  private:
-  /// A message, its bytes on the way out, and where in the map it has got to.
+  /// Room for a message, its bytes, and the position in the map.
   static constexpr std::size_t kKept_bytes = 1u << 20;
   using Clock = std::chrono::steady_clock;
 
@@ -198,14 +194,14 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
     hold_ = context_.held.TryPin(state, [this] { LetGo(); });
     return hold_ != nullptr ? Status::Ok() : TooManyBytes();
   }
-  /// Once what is being made or written is, or at once if nothing is.
+  /// Ends the stream after the message that is being made or written, or at once if there is none.
   void LetGo() {
     has_no_room_ = true;
     const auto task = Task();
     if (task && task->GiveUp()) return context_.lanes.answers.Post([this] { End(WhyBroken()); });
     if (IsLastLeftUntaken()) call_context_->TryCancel();
   }
-  /// Since we were asked to let go, for longer than there is time.
+  /// Whether the client has not taken the last message within the time allowed.
   bool IsLastLeftUntaken() DHPMAP_EXCLUDES(mutex_) {
     const auto now = Clock::now();
     const MutexLock lock(mutex_);
@@ -254,15 +250,15 @@ class ChunkStream final : public grpc::ServerWriteReactor<Response> {
   grpc::CallbackServerContext* const call_context_;
   CallRecord record_;
   ByteShare share_;
-  std::atomic<bool> has_no_room_ = false;  // for the state any longer
-  // So that ThreadSanitizer, which sees none of gRPC's own locks, sees that one message was made before the next, on
-  // another thread, and all before the end. Else it looks each access up in all races that it leaves out: minutes.
+  std::atomic<bool> has_no_room_ = false;  // for the pinned state
+  // For ThreadSanitizer, which does not see gRPC's own locks: orders each message before the next one, made on another
+  // thread, and all messages before the end. Without it each suppressed race costs a lookup: minutes in total.
   std::atomic<bool> is_made_ = false;
   std::unique_ptr<PinnedSnapshots::Pin> hold_;
-  PageHold pages_;  ///< that the state has because this has read them
+  PageHold pages_;  ///< pages of the state that this stream has read
   mutable Mutex mutex_;
   std::shared_ptr<LaneTask> task_ DHPMAP_GUARDED_BY(mutex_);             ///< the newest
-  std::optional<Clock::time_point> asked_at_ DHPMAP_GUARDED_BY(mutex_);  ///< first, to let go
+  std::optional<Clock::time_point> asked_at_ DHPMAP_GUARDED_BY(mutex_);  ///< when the stream was first asked to end
   std::optional<Clock::time_point> writing_since_ DHPMAP_GUARDED_BY(mutex_);
   std::stop_source stop_;
   Next next_;

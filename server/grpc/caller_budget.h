@@ -5,8 +5,9 @@
 
 namespace dhpmap {
 
-/// While it lives, what begins on this thread counts in its caller's budget: a handler begins in one piece, and is not
-/// told who calls unless it asks. Null: in that of all calls. Thread-compatible; one within another is an error.
+/// While it lives, calls that begin on this thread count in the caller's budget. Null: in the budget of all calls. A
+/// handler begins on one thread and does not know its caller, so the thread carries the budget. Thread-compatible;
+/// nesting is an error.
 class CallerBudget {
  public:
   explicit CallerBudget(ByteBudget* budget);
@@ -15,7 +16,7 @@ class CallerBudget {
   CallerBudget& operator=(const CallerBudget&) = delete;
 };
 
-/// The budget of the call that begins on this thread, else that of all calls. It lives as long as the server.
+/// The caller's budget on this thread, else `of_all`. It lives as long as the server.
 ByteBudget& BudgetHere(ByteBudget& of_all);
 
 }  // namespace dhpmap

@@ -17,7 +17,7 @@
 namespace dhpmap {
 namespace {
 
-/// On a lane of quick calls, of which a check of few small bodies is one.
+/// A small check counts as a quick call.
 constexpr CheckPiece kQuickPiece{.work = 200'000, .may_overrun = false};
 
 class CollisionAnswer final : public CheckAnswer {
@@ -59,13 +59,13 @@ class MotionAnswer final : public CheckAnswer {
 
  private:
   const std::shared_ptr<const MapView> view_;
-  const std::shared_ptr<const CheckQuestion> question_;  ///< of which the motions read what is attached
+  const std::shared_ptr<const CheckQuestion> question_;  ///< owns the attached objects that the motions read
   const RequestedMotions motions_;
   TrajectoryCheck check_;
   TrajectoryAnswers answers_;
 };
 
-/// A check on its way through the lanes. Owns itself: the lane holds it until it is done.
+/// A check that moves between lanes. Owns itself: the lane holds it until it is done.
 class PieceRun : public std::enable_shared_from_this<PieceRun> {
  public:
   PieceRun(const ServiceContext& context, std::unique_ptr<CheckAnswer> answer, std::shared_ptr<const MapSnapshot> state,
@@ -88,7 +88,7 @@ class PieceRun : public std::enable_shared_from_this<PieceRun> {
     End(TooBusy());
   }
 
-  /// The state is held as long as there is room for what only this still needs.
+  /// Pins the state while memory for it suffices.
   void BeginInLane() {
     is_in_lane_ = true;
     const Status held = Guarded<Status>([this]() -> Status {
@@ -106,7 +106,7 @@ class PieceRun : public std::enable_shared_from_this<PieceRun> {
     const Status status = Piece(CheckPiece{}, has_more);
     if (!status.ok() || !has_more) return End(status);
     const Status posted = Guarded<Status>([this] {
-      context_.lanes.checks.Post([self = shared_from_this()] { self->GoOn(); });  // one a call that has begun
+      context_.lanes.checks.Post([self = shared_from_this()] { self->GoOn(); });  // one task per running call
       return Status::Ok();
     });
     if (!posted.ok()) End(posted);
@@ -136,13 +136,13 @@ class PieceRun : public std::enable_shared_from_this<PieceRun> {
   const std::stop_token stop_;
   const std::function<void(const Status&)> done_;
   bool is_in_lane_ = false;
-  PageHold pages_;  ///< that the state has because this has read them
+  PageHold pages_;  ///< pages of the state that this check has read
   std::stop_source ended_;
   std::optional<std::stop_callback<std::function<void()>>> on_stop_;
   std::unique_ptr<PinnedSnapshots::Pin> hold_;
 };
 
-/// INVALID_ARGUMENT for what could never be answered.
+/// INVALID_ARGUMENT for a request that no state could answer.
 template <typename Request>
 Status CheckFits(const ServiceContext& context, const Request& request) {
   const std::size_t bytes = EffortOf(request).answer_bytes;

@@ -12,7 +12,7 @@
 
 namespace dhpmap {
 
-/// Answers a CheckCollisions or CheckTrajectory from one state of a map, piece by piece. Thread-compatible.
+/// Answers a CheckCollisions or CheckTrajectory from one state of a map, in pieces. Thread-compatible.
 class CheckAnswer {
  public:
   // Both messages outlive it.
@@ -24,20 +24,19 @@ class CheckAnswer {
                                                     v1::CheckTrajectoryResponse& response);
   virtual ~CheckAnswer() = default;
 
-  /// Writes some more of the response; true if more is to come. Errors as of BodyCheck::Next.
+  /// Writes one more piece of the response; true if there is more to write. Errors as of BodyCheck::Next.
   virtual Result<bool> Next(const CheckPiece& piece, const std::stop_token& stop) = 0;
 };
 
-/// Where a check begins that has the lane's thread.
+/// Where the caller of AnswerInPieces runs.
 enum class CheckBegins {
-  kQuickly,  ///< what takes no longer than a quick call may is answered here; the rest goes to the lane of checks
-  kInLane    ///< it has that lane's thread
+  kQuickly,  ///< on a quick lane: answers there what a quick call may take, and moves the rest to the lane of checks
+  kInLane    ///< on the lane of checks
 };
 
-/// Answers a check in pieces, each in its turn on the lane of checks, and says done() when all of it is written, or
-/// why not: what Next says, RESOURCE_EXHAUSTED where too many wait or there is no room for the state that it is
-/// answered from, CANCELLED soon after `stop` is requested. `done` may run before it returns, and on the lane of
-/// answers.
+/// Answers a check in pieces, which take turns on the lane of checks. Calls done() when the answer is complete, or with
+/// an error: one of Next; RESOURCE_EXHAUSTED if too many checks wait or the state does not fit into memory; CANCELLED
+/// soon after `stop` is requested. `done` may run before AnswerInPieces returns, and on the lane of answers.
 void AnswerInPieces(const ServiceContext& context, std::unique_ptr<CheckAnswer> answer,
                     std::shared_ptr<const MapSnapshot> state, CheckBegins begins, std::stop_token stop,
                     std::function<void(const Status&)> done);

@@ -19,19 +19,19 @@
 
 namespace dhpmap {
 
-/// How the requests of one method come in.
+/// How the server receives the requests of one method.
 struct RequestIntake {
   /// The method of `service` that takes messages of the type `request`.
   RequestIntake(const ServiceContext& of, const google::protobuf::ServiceDescriptor& service,
                 const google::protobuf::Descriptor& of_request, const MessageLayout& request_layout);
 
-  /// `message`, within what a request of this method may have and what there is room for: else RESOURCE_EXHAUSTED,
-  /// reasons BODY_TOO_LARGE and TOO_MANY_BYTES, told to the observer as any call that fails.
+  /// Parses `message` within the method's size limit and the free budget. Else RESOURCE_EXHAUSTED, reasons
+  /// BODY_TOO_LARGE and TOO_MANY_BYTES. The observer receives either as a failed call.
   Status Parse(grpc::ByteBuffer& bytes, google::protobuf::Message& message, std::optional<ByteShare>& share) const;
 
-  /// Who calls, and whether they may: see Enter of door_call.h. Told to the observer as any call that fails.
+  /// Identifies and admits the caller: see Enter of door_call.h. The observer receives a refusal as a failed call.
   Status Enter(grpc::CallbackServerContext& call) const;
-  /// Enter, Parse, and whether the caller may ask for what the message names.
+  /// Enter, Parse, and whether the caller may access what the message names.
   Status Take(grpc::CallbackServerContext& call, grpc::ByteBuffer& bytes, google::protobuf::Message& message,
               std::optional<ByteShare>& share) const;
   /// Writes calls that may change something, and refused calls, to the audit log. Returns `decision`, or an error if an
@@ -41,17 +41,17 @@ struct RequestIntake {
   const ServiceContext& context;
   const MessageLayout& layout;
   const auth::CallNeeds* needs = nullptr;
-  const google::protobuf::Descriptor* request;  ///< of its messages
+  const google::protobuf::Descriptor* request;  ///< type of its messages
   std::string path;                             ///< "/dhpmap.v1.MapService/GetMap"
   std::string name;                             ///< "MapService/GetMap"
-  int index = 0;                                ///< in its service
-  std::size_t most_bytes = 0;                   ///< as it comes
-  std::size_t most_message_bytes = 0;           ///< with the message
+  int index = 0;                                ///< within its service
+  std::size_t most_bytes = 0;                   ///< on the wire
+  std::size_t most_message_bytes = 0;           ///< including the parsed message
 };
 
-/// Base of our services in place of their `CallbackService`, which parses requests on gRPC's own threads before
-/// anybody is asked: 64 MiB of bytes become gigabytes as a message. Here each comes as bytes, and is a message only
-/// once it is known that it is none too many for `limits.inflight_mib`, where it is counted until its call is over.
+/// Base of our services in place of their `CallbackService`, which parses requests on gRPC's own threads without any
+/// limit: 64 MiB of bytes can become gigabytes as a message. Here a request arrives as bytes. It is parsed only if the
+/// message fits into `limits.inflight_mib`, and counts there until its call ends.
 template <typename Service>
 class CountedService : public Service::CallbackService {
  protected:
@@ -59,7 +59,7 @@ class CountedService : public Service::CallbackService {
 
   explicit CountedService(const ServiceContext& context) : door_context_(context) {}
 
-  /// These handlers are called with messages: all there are but those of TakeStream.
+  /// These handlers receive messages. All handlers but those of TakeStream belong here.
   template <typename... Handlers>
   void Take(Handlers... handlers) {
     (TakeOne(handlers), ...);
@@ -90,7 +90,7 @@ class CountedService : public Service::CallbackService {
   }
 
  private:
-  /// Ends a call that has no message.
+  /// Ends a call that has no valid message.
   template <typename Reactor>
   class Refusal final : public Reactor {
    public:
@@ -137,7 +137,7 @@ class CountedService : public Service::CallbackService {
           auto* request = static_cast<Kept*>(call.request);
           grpc::ByteBuffer bytes;
           bytes.Swap(&request->bytes);
-          request->~Kept();  // its memory is the call's
+          request->~Kept();  // the call owns the memory
           return bytes;
         }};
     Mark<grpc::internal::CallbackServerStreamingHandler<RawRequest<Request>, Response>>(*intake, begin, kept);
@@ -148,7 +148,7 @@ class CountedService : public Service::CallbackService {
     const auto* service = Request::descriptor()->file()->pool()->FindServiceByName(Service::service_full_name());
     return std::make_shared<const RequestIntake>(door_context_, *service, *Request::descriptor(), LayoutOf<Request>());
   }
-  /// `kept`: how the handler keeps the request, if there is one.
+  /// `kept`: how the handler keeps the request, if it has one.
   template <typename Handler, typename Begin>
   void Mark(const RequestIntake& intake, const Begin& begin, const RoutedHandler::Request& kept) {
     std::unique_ptr<grpc::internal::MethodHandler> handler = std::make_unique<Handler>(begin);
@@ -158,7 +158,7 @@ class CountedService : public Service::CallbackService {
         handler = std::make_unique<RoutedHandler>(std::move(handler), kept, *relay, std::move(method));
       }
     }
-    this->MarkMethodRawCallback(intake.index, handler.release());  // which takes it over
+    this->MarkMethodRawCallback(intake.index, handler.release());  // it owns the handler from now on
   }
 
   const ServiceContext& door_context_;

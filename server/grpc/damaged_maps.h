@@ -11,7 +11,7 @@
 
 namespace dhpmap {
 
-/// Logs maps that the store cannot read when a list meets them, each once. Thread-safe.
+/// Logs maps that the store cannot read, each once, when a list finds them. Thread-safe.
 class DamagedMaps {
  public:
   void Tell(const MapSummary& map) DHPMAP_EXCLUDES(mutex_) {

@@ -18,19 +18,19 @@ class DoorCall final : public grpc::CallbackServerContext {
   std::unique_ptr<auth::LiveStreams::Place> place;
 };
 
-/// gRPC's AuthContext belongs to a connection and not to a call, so that calls of several keys over one connection
-/// would be told apart by nothing (gRPC 1.51): the caller is kept here.
+/// Keeps the caller in the call's context. gRPC's AuthContext (1.51) belongs to a connection, and calls with different
+/// keys share connections.
 class CallAllocator final : public grpc::ContextAllocator {
  public:
   using grpc::ContextAllocator::Release;
   grpc::CallbackServerContext* NewCallbackServerContext() override { return new DoorCall; }
-  /// Contexts of calls of unknown methods come here, too, and are gRPC's own: it frees them itself.
+  /// Contexts of calls of unknown methods also come here. They are gRPC's own, and gRPC frees them.
   void Release(grpc::CallbackServerContext* call) override { delete dynamic_cast<DoorCall*>(call); }
 };
 
 std::string_view ViewOf(grpc::string_ref text) { return {text.data(), text.size()}; }
 
-/// From whichever thread, and when the call may just have ended: gRPC keeps it as long as we hold it.
+/// Callable from any thread, even if the call has just ended: gRPC keeps it while we hold a reference.
 auth::LiveStreams::End EndOf(grpc_call* call) {
   grpc_call_ref(call);
   const std::shared_ptr<grpc_call> kept(call, [](grpc_call* held) { grpc_call_unref(held); });

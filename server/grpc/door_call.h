@@ -13,8 +13,8 @@
 
 namespace dhpmap {
 
-/// What is asked of the messages of one call, by whom it is made; of no key, nothing. Outlives the call's context, as a
-/// stream may. Value type.
+/// The caller of one call, and the checks of the messages that it sends. Without keys nothing is checked. Outlives the
+/// call's context, as a stream may. Value type.
 class Caller {
  public:
   Caller() = default;
@@ -24,16 +24,16 @@ class Caller {
   /// Null: keys are off.
   [[nodiscard]] const auth::Principal* principal() const { return principal_.get(); }
 
-  /// What its calls may have in flight; null: as all together.
+  /// The budget of its requests and answers; null: the budget of all calls.
   [[nodiscard]] const std::shared_ptr<ByteBudget>& budget() const { return budget_; }
 
-  /// PERMISSION_DENIED as of auth::CheckRequest; an author that is left empty is filled in.
+  /// PERMISSION_DENIED as of auth::CheckRequest. Fills in an empty author.
   Status Check(google::protobuf::Message& request) const;
-  /// Of a map that is named elsewhere than in a request.
+  /// The same for a map that no request names.
   [[nodiscard]] Status CheckMap(std::string_view map_id) const;
-  /// Whether lists show a map.
+  /// Whether lists show the map.
   [[nodiscard]] bool MaySee(std::string_view map_id) const { return CheckMap(map_id).ok(); }
-  /// Whether it may undo edits of that author by name.
+  /// Whether the caller may undo that author's edits by name.
   [[nodiscard]] bool Owns(std::string_view author) const;
   [[nodiscard]] bool OwnsAll() const { return principal_ == nullptr || principal_->role == auth::Role::kAdmin; }
 
@@ -43,24 +43,23 @@ class Caller {
   std::shared_ptr<ByteBudget> budget_;
 };
 
-/// Makes gRPC's contexts of calls, with room for the caller.
+/// Makes the contexts of calls, with room for the caller.
 std::unique_ptr<grpc::ContextAllocator> MakeCallAllocator();
 
-/// Before a message of it is read: who makes the call, by its ticket or key; whether the role has what it needs, and
-/// whether it comes within the caller's limits. A stream ends when the caller's key does. Once a call. `needs` is null
-/// for a call that nothing is known of, which is refused. Without keys all is let in. Of `inflight` the caller gets a
-/// part.
+/// Runs once per call, before a message is read. Identifies the caller by its ticket or key, then checks its role and
+/// its limits. A stream ends when the caller's key becomes invalid. A null `needs` means an unknown method, which is
+/// refused. Without keys every call is admitted. The caller gets a share of `inflight`.
 Status Enter(auth::Gate& gate, const auth::CallNeeds* needs, const std::shared_ptr<ByteBudget>& inflight,
              grpc::CallbackServerContext& call);
 
-/// Who makes a call: by its ticket, which is good once, by what another server of the fleet says, or by its key. Errors
-/// as of Gate::Authenticate and AuthenticateFleet.
+/// The caller of a call: by its single-use ticket, by the word of another server of the fleet, or by its key. Errors as
+/// of Gate::Authenticate and AuthenticateFleet.
 Result<auth::PrincipalPtr> WhoCalls(auth::Gate& gate, const grpc::CallbackServerContext& call);
-/// Enter of a call whose caller is known.
+/// Enter for a call whose caller is known.
 Status EnterAs(auth::Gate& gate, auth::PrincipalPtr principal, const auth::CallNeeds* needs,
                const std::shared_ptr<ByteBudget>& inflight, grpc::CallbackServerContext& call);
 
-/// Of a call that has entered.
+/// The caller of a call that has entered.
 const Caller& CallerOf(const grpc::CallbackServerContext& call);
 
 }  // namespace dhpmap

@@ -14,7 +14,7 @@
 namespace dhpmap {
 namespace {
 
-/// gRPC passes a code and a message on, and no details: the reason goes before the words.
+/// gRPC transmits only a code and a message, no details. So the reason precedes the message.
 grpc::Status Refusal(const Status& status) {
   return {static_cast<grpc::StatusCode>(status.code()), std::string(status.reason().name()) + ": " + status.message()};
 }
@@ -24,7 +24,7 @@ class KeyProcessor final : public grpc::AuthMetadataProcessor {
   KeyProcessor(std::shared_ptr<auth::Gate> gate, std::function<std::string()> from)
       : gate_(std::move(gate)), from_(std::move(from)) {}
 
-  /// It takes microseconds: gRPC's own thread does it.
+  /// Takes microseconds, so it runs on gRPC's own thread.
   [[nodiscard]] bool IsBlocking() const override { return false; }
 
   grpc::Status Process(const InputMetadata& head, grpc::AuthContext*, OutputMetadata*, OutputMetadata*) override {
@@ -45,7 +45,7 @@ class KeyProcessor final : public grpc::AuthMetadataProcessor {
     const auto principal = WhoCalls(head);
     if (!principal.ok()) return Refused(nullptr, principal.status(), path->second);
     if (needs == nullptr) return {StatusCode::kUnimplemented, "there is no such rpc"};
-    if (path->second == "/grpc.health.v1.Health/Watch") {  // gRPC's own handler, which would outlive the key
+    if (path->second == "/grpc.health.v1.Health/Watch") {  // gRPC's own handler does not end when the key does
       return {StatusCode::kUnimplemented, "ask for the health by Check"};
     }
     return Refused(principal->get(), auth::CheckRole(**principal, *needs), path->second);
@@ -63,7 +63,7 @@ class KeyProcessor final : public grpc::AuthMetadataProcessor {
     for (auto value = begin; value != end; ++value) keys.push_back(ViewOf(value->second));
     return gate_->AuthenticateFrom(from_(), keys);
   }
-  /// The status as it is, written down if it is no good one.
+  /// Returns the status, and logs a refusal to the audit log.
   [[nodiscard]] Status Refused(const auth::Principal* principal, const Status& status, grpc::string_ref path) const {
     if (!status.ok()) (void)gate_->Audit({.principal = principal, .rpc = ViewOf(path), .map = {}, .decision = status});
     return status;

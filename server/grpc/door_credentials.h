@@ -11,9 +11,9 @@
 
 namespace dhpmap {
 
-/// Of connections from outside. With keys each call is looked at when its head is there, and is refused before any of
-/// its messages is taken in: no key, or a key whose role does not have what the call needs. `kind` is how they come,
-/// `from` says from which address (as Gate::AuthenticateFrom has it). The gate may be null: none.
+/// Credentials of connections from outside. With keys, a call is checked when its headers arrive, before any message is
+/// read. It is refused if it has no valid key, or if the key's role does not permit the method. `kind` is the
+/// transport, `from` the address (as in Gate::AuthenticateFrom). A null gate admits every call.
 std::shared_ptr<grpc::ServerCredentials> MakeDoorCredentials(std::shared_ptr<auth::Gate> gate,
                                                              grpc_local_connect_type kind,
                                                              std::function<std::string()> from);

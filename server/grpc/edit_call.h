@@ -12,14 +12,14 @@
 
 namespace dhpmap {
 
-/// What is to be done on which map's writer thread.
+/// An edit, and the map whose writer runs it.
 struct PlannedEdit {
   std::string map;
-  EditRequest request;  ///< its answer is filled in by RunEdit
+  EditRequest request;  ///< RunEdit fills in its answer
 };
 
-/// The change as an edit, with what every request says beside it: whose it is, under which id, whether it is only
-/// tried. INVALID_ARGUMENT for an expected_revision that is negative.
+/// The change as an edit, with the fields that all edit requests share: author, id, and whether it is a trial.
+/// INVALID_ARGUMENT for a negative expected_revision.
 template <typename Request>
 Result<PlannedEdit> PlanEdit(std::string_view method, const Request& request, std::string map,
                              std::function<Result<EditMade>(Map&)> change) {
@@ -33,8 +33,8 @@ Result<PlannedEdit> PlanEdit(std::string_view method, const Request& request, st
   return PlannedEdit{std::move(map), {.change = std::move(change), .source = std::move(source), .mode = mode}};
 }
 
-/// The answer of an edit that was only tried: told of the revision that it met, without the etag and the revision of
-/// what there never was.
+/// The answer to a trial. It names the revision that the trial met, but no etag and no revision of a result, since no
+/// result is stored.
 template <typename Response>
 void SayTried(std::int64_t revision, Response& response) {
   response.set_revision(revision);
@@ -48,7 +48,7 @@ void SayTried(std::int64_t revision, Response& response) {
   }
 }
 
-/// Why there is no edit, or what `fill()` says of its answer. Never that nothing was changed, once it was.
+/// Responds with the error, or with the status of `fill()`. An edit that was made is never reported as unmade.
 inline void RespondToEdit(const Result<EditOutcome>& outcome, const Respond& respond,
                           const std::function<Status()>& fill) {
   if (!outcome.ok()) return respond(outcome.status());
@@ -57,8 +57,8 @@ inline void RespondToEdit(const Result<EditOutcome>& outcome, const Respond& res
   respond(lacks_memory ? Internal("the edit is made; no memory to tell more") : filled);
 }
 
-/// Runs an edit without holding a thread while it waits for the writer and the disk. `plan()` gives a
-/// Result<PlannedEdit>, and `fill(view, made, response)` fills the answer; a repeated request is answered as it was.
+/// Runs an edit without holding a thread while it waits for the writer and the disk. `plan()` returns a
+/// Result<PlannedEdit>; `fill(view, made, response)` fills the answer. A repeated request gets its first answer again.
 template <typename Response, typename Plan, typename Fill>
 grpc::ServerUnaryReactor* RunEdit(const ServiceContext& context, const CallMessages& call, Response* response,
                                   Plan plan, Fill fill) {

@@ -20,7 +20,7 @@
 namespace dhpmap {
 namespace {
 
-/// What the writer's thread makes, and the answer tells.
+/// Filled by the writer's thread, sent in the answer.
 using Results = std::vector<EditResult>;
 
 /// Fills the answer of an undo, a redo or a restoration.
@@ -133,7 +133,7 @@ class EditService final : public CountedService<v1::EditService> {
   }
 
  private:
-  /// A page of the log, or of what in it changed one object: for that so many edits are looked through at most.
+  /// A page of the log, or of its edits of one object. To find those, it reads a limited number of edits.
   Status AddEdits(const std::string& map, const std::optional<SubmapId>& submap, EditQuery query, Pager& pager,
                   v1::ListEditsResponse& response) const {
     constexpr std::size_t kMostLookedThrough = 10'000, kLeastAtOnce = 1'000;
@@ -171,7 +171,7 @@ class EditService final : public CountedService<v1::EditService> {
     return PlanEdit(method, request, map, context_.registry.UndoOf(std::move(undo)));
   }
 
-  /// Who may not undo others' edits by name does not do so by going back behind them.
+  /// A caller who may not undo others' edits may not undo them by restoring an older state either.
   Status CheckOwnsEditsAfter(std::int64_t revision, const std::string& map, const std::optional<SubmapId>& submap,
                              const Caller& caller) const {
     if (caller.OwnsAll()) return Status::Ok();
@@ -198,7 +198,7 @@ class EditService final : public CountedService<v1::EditService> {
     DHPMAP_ASSIGN_OR_RETURN(auto restoration, context_.registry.RestorationOf(map, std::move(restore)));
     const auto change = [=, this, restoration = std::move(restoration)](Map& state) -> Result<EditMade> {
       DHPMAP_RETURN_IF_ERROR(
-          CheckOwnsEditsAfter(revision, map, submap, caller));  // on the writer: no edit comes between
+          CheckOwnsEditsAfter(revision, map, submap, caller));  // runs on the writer, so no other edit can come between
       return restoration(state);
     };
     return PlanEdit("RestoreRevision", request, map, change);

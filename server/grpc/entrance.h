@@ -15,22 +15,22 @@ namespace net {
 struct Passed;
 }
 
-/// Hands connections to gRPC: with keys through an acceptor a slot, so that wrong keys are counted by address.
-/// Thread-safe, once the server has been built.
+/// Hands connections to gRPC. With keys it uses one acceptor per slot, so that wrong keys are counted by address.
+/// Thread-safe once the server has been built.
 class Entrance {
  public:
-  /// Adds what it needs to the builder of the server.
+  /// Adds its acceptors to the server's builder.
   Entrance(const std::shared_ptr<auth::Gate>& gate, grpc::ServerBuilder& builder);
 
   void Let(const net::Passed& passed) DHPMAP_EXCLUDES(mutex_);
-  /// To be called before the server is shut down: gRPC (1.51) leaves sockets open that it gets after that.
+  /// Call it before the server shuts down: gRPC (1.51) leaks sockets that it receives after that.
   void Close() DHPMAP_EXCLUDES(mutex_);
 
  private:
   using Acceptor = grpc::experimental::ExternalConnectionAcceptor;
 
   const std::shared_ptr<PeerSlots> slots_ = std::make_shared<PeerSlots>();
-  std::vector<std::unique_ptr<Acceptor>> acceptors_;  ///< one, or by slot
+  std::vector<std::unique_ptr<Acceptor>> acceptors_;  ///< one, or one per slot
   Mutex mutex_;
   bool is_closed_ DHPMAP_GUARDED_BY(mutex_) = false;
 };

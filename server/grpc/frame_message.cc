@@ -37,7 +37,7 @@ Result<v1::IntegrateFramesRequest> ParseFrameMessage(const grpc::ByteBuffer& byt
 
 Result<FrameHead> ParseFrameHead(const grpc::ByteBuffer& bytes) {
   constexpr int kMostHead_bytes = 64 << 10;
-  constexpr int kMostFrames = 1000;  // protobuf makes one of them
+  constexpr int kMostFrames = 1000;  // protobuf keeps the last of them
   grpc::ByteBuffer shared = bytes;
   grpc::ProtoBufferReader reader(&shared);
   CodedInputStream input(&reader);
@@ -51,7 +51,7 @@ Result<FrameHead> ParseFrameHead(const grpc::ByteBuffer& bytes) {
       if (tag == kFrameTag) {
         if (++num_frames > kMostFrames || !WireFormat::SkipField(&input, tag)) return MalformedFrameMessage();
       } else {
-        const auto limit = input.PushLimit(left_bytes);  // or a huge field would be copied before it is refused
+        const auto limit = input.PushLimit(left_bytes);  // else a huge field would be copied before it is refused
         if (!WireFormat::SkipField(&input, tag, &output)) return MalformedFrameMessage();
         input.PopLimit(limit);
         left_bytes -= input.CurrentPosition() - begin;

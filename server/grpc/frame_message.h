@@ -10,8 +10,8 @@
 
 namespace dhpmap {
 
-// An IntegrateFramesRequest as bytes, so that whoever parses it knows before what it will take (MessageLayout), and is
-// none of gRPC's own threads. What is no such message is INVALID_ARGUMENT, reason MALFORMED_PROTOBUF.
+// Reads an IntegrateFramesRequest from its bytes, outside gRPC's own threads and after MessageLayout has computed its
+// memory. Bytes that are no such message give INVALID_ARGUMENT, reason MALFORMED_PROTOBUF.
 
 /// The whole message.
 Result<v1::IntegrateFramesRequest> ParseFrameMessage(const grpc::ByteBuffer& bytes);
@@ -21,10 +21,10 @@ struct FrameHead {
   v1::IntegrateFramesRequest message;
   bool has_frame = false;
 };
-/// In next to no time and memory, whatever the message is: INVALID_ARGUMENT if all but its frame is more than 64 KiB.
+/// Quick and with little memory for every input: INVALID_ARGUMENT if all but the frame exceeds 64 KiB.
 Result<FrameHead> ParseFrameHead(const grpc::ByteBuffer& bytes);
 
-/// The bytes in one piece.
+/// The bytes as one string.
 std::string TextOf(const grpc::ByteBuffer& bytes);
 
 }  // namespace dhpmap

@@ -35,21 +35,21 @@ namespace dhpmap {
 namespace {
 
 constexpr std::size_t kMaxWaiting = 1024;
-/// A step of niceness is worth a quarter: with 10 more than fusion and decoding have, a busy core goes to these nine
-/// times in ten, and to quick answers nearly always.
+/// Each step of niceness is a factor of 1.25. 10 steps more than fusion and decoding give those nine tenths of a busy
+/// core. Quick answers get nearly all of it.
 constexpr int kBulkNiceness = 15;
-/// One motion may take seconds, and is one piece: more than there are cores take turns as the kernel has them.
+/// One motion is one piece and may take seconds. Beyond the number of cores the kernel schedules the threads.
 constexpr int kLeastCheckThreads = 4;
 constexpr int kFrameThreads = 2;
-/// With 5 a busy core goes to quick answers three times in four.
+/// With 5 a busy core runs quick answers three quarters of the time.
 constexpr int kDecodingNiceness = 5;
 constexpr int kDecodingThreads = 2;
-constexpr int kLoadThreads = 4;  // maps that are read from the disk at a time
-/// Of one client's connection; the next call waits in the client.
+constexpr int kLoadThreads = 4;  // maps that are read from disk at a time
+/// Per client connection; the client holds back further calls.
 constexpr int kMaxStreamsPerConnection = 128;
-/// Clients, too, may ask whether we are there, but not all the time.
+/// Clients may send pings, but not more often.
 constexpr int kMinClientPing_ms = 5'000;
-/// Who connects and says nothing is sent away.
+/// A client that connects but sends nothing is disconnected after this.
 constexpr int kHandshake_ms = 20'000;
 
 int BulkThreads(const GrpcOptions& options) {
@@ -59,22 +59,22 @@ int BulkThreads(const GrpcOptions& options) {
 
 int Milliseconds(double seconds) { return static_cast<int>(seconds * 1e3); }
 
-/// gRPC compares a compressed message with the limit as it came, and only then unpacks it: 64 KiB of zipped zeros
-/// become 64 MiB before anybody is asked, and 64 MiB more than there is. Who compresses is answered UNIMPLEMENTED.
+/// gRPC checks the size of a compressed message before it unpacks it: 64 KiB of zipped zeros would take 64 MiB that no
+/// budget counts. Compressed requests are answered UNIMPLEMENTED.
 void RefuseCompressed(grpc::ServerBuilder& builder) {
   builder.SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_DEFLATE, false);
   builder.SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_GZIP, false);
 }
 
-/// What a connection may cost: memory for what has arrived and is not handled yet, streams, and how long a peer that
-/// has frozen or is cut off keeps what it holds.
+/// Limits what a connection may cost: memory of unread data, streams, and the time for which an unresponsive peer keeps
+/// its resources.
 void LimitConnections(const GrpcOptions& options, grpc::ServerBuilder& builder) {
-  // Where it is spent gRPC resets a stream, with no reason that its client could read: so only after the budget, which
-  // says why, has refused what is too much.
+  // When this quota is used up, gRPC resets streams without a reason. So it is larger than our budget, which refuses
+  // first and says why.
   const std::size_t limit_bytes = options.inflight->limit_bytes();
   grpc::ResourceQuota quota("dhpmap");
   builder.SetResourceQuota(quota.Resize(limit_bytes + limit_bytes / 2));
-  // Else gRPC measures how much a connection carries, and takes in up to 4 MiB of each stream that nobody reads.
+  // Else gRPC estimates the bandwidth and receives up to 4 MiB of each unread stream.
   builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES,
                              StreamWindow_bytes(options.inflight->limit_bytes()));
@@ -82,7 +82,7 @@ void LimitConnections(const GrpcOptions& options, grpc::ServerBuilder& builder) 
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, Milliseconds(options.keepalive_s));
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, Milliseconds(options.keepalive_s));
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
-  builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);  // as many as it takes
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);  // no limit
   builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, kHandshake_ms);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kMinClientPing_ms);
 }
@@ -154,7 +154,7 @@ struct GrpcServer::Impl {
     LetLanesMeet();
   }
 
-  /// Known to the services, which come after it.
+  /// The services use it, so it is made before them.
   static std::unique_ptr<Relay> MakeRelay(ServiceContext& shared) {
     if (shared.options.fleet == nullptr) return nullptr;
     auto made = std::make_unique<Relay>(shared);
@@ -162,9 +162,8 @@ struct GrpcServer::Impl {
     return made;
   }
 
-  /// Lanes post to one another, and the threads of one begin before the next is made. No call comes before all stand,
-  /// but it is gRPC that sees to that; a job for each makes it so for whoever does not look into gRPC
-  /// (ThreadSanitizer), too.
+  /// Lanes post to one another, and a lane's threads start before the next lane is made. gRPC admits no call before all
+  /// lanes exist. ThreadSanitizer cannot see that, so one task per lane establishes the order.
   void LetLanesMeet() {
     for (Lane* lane : {&lanes.quick, &lanes.loads, &lanes.answers, &lanes.bulk, &lanes.checks, &lanes.frames,
                        &lanes.decoding, &lanes.watch}) {
@@ -178,24 +177,24 @@ struct GrpcServer::Impl {
   std::atomic<int> num_checks = 0;
   MapQuota quota;
   ServiceContext context;
-  std::unique_ptr<Relay> relay;  // null: there is no fleet
+  std::unique_ptr<Relay> relay;  // null: the server belongs to no fleet
   IntegrateStreams streams;
   OpenStreams query_streams;
   WatchStreams watch_streams;
   OpenStreams reflection_streams;
   std::vector<std::unique_ptr<grpc::Service>> services;
   std::unique_ptr<Entrance> entrance;
-  std::unique_ptr<net::Door> door;  // hands over to it
+  std::unique_ptr<net::Door> door;  // hands its connections to the entrance
   std::atomic<bool> is_serving = false;
   std::unique_ptr<grpc::Server> server;
-  Lanes lanes;  // last: its threads begin when all they read stands, and end before any of it goes
+  Lanes lanes;  // last: its threads use the other members
 };
 
 namespace {
 
-/// gRPC's own accepting ends for good when file descriptors run out, and takes any number of connections; its HTTP/2
-/// has none of the defences against floods that came since 2023, and its TLS takes a key that is not the certificate's.
-/// So a door of ours accepts, and gRPC gets one end of a pair of sockets.
+/// gRPC's own listener stops for good when file descriptors run out, and accepts any number of connections. Its HTTP/2
+/// lacks the defences against floods found since 2023, and its TLS accepts a key that does not match the certificate.
+/// So a door of ours accepts, and gRPC gets one end of a socket pair.
 Result<std::unique_ptr<net::Door>> OpenDoor(const GrpcOptions& options, const GrpcObserver& observer) {
   auto door = net::Door::Open({.name = "gRPC",
                                .address = options.address,
@@ -216,7 +215,7 @@ std::shared_ptr<grpc::Channel> InsideChannel(grpc::Server& server) {
   return server.InProcessChannel(arguments);
 }
 
-/// gRPC tells of its inner life on standard error; what matters of it comes back to us as a status.
+/// gRPC logs to standard error. Errors that matter also come back as a status.
 void LogFromGrpc(gpr_log_func_args* line) { LogDebug(std::string("grpc: ") + line->message); }
 
 }  // namespace
@@ -226,7 +225,8 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   gpr_set_log_function(LogFromGrpc);
   grpc::EnableDefaultHealthCheckService(true);
   DHPMAP_RETURN_IF_ERROR(options.gate->CheckCalls());
-  google::protobuf::LinkMessageReflection<grpc::health::v1::HealthCheckRequest>();  // reflection describes it, too
+  google::protobuf::LinkMessageReflection<grpc::health::v1::HealthCheckRequest>();  // reflection describes this
+                                                                                    // service, too
   auto impl = std::make_unique<Impl>(options, registry, std::move(observer));
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   grpc::ServerBuilder builder;
@@ -237,7 +237,7 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   builder.SetContextAllocator(MakeCallAllocator());
   LimitConnections(options, builder);
   for (const auto& service : impl->services) builder.RegisterService(service.get());
-  (void)TakeTurns(Turns::kShort);  // gRPC's threads, and those that they start
+  (void)TakeTurns(Turns::kShort);  // for gRPC's threads and those that they start
   impl->server = builder.BuildAndStart();
   (void)TakeTurns(Turns::kOrdinary);
   if (impl->server == nullptr) return Internal("gRPC does not start");
@@ -294,7 +294,7 @@ void GrpcServer::Shutdown(double grace_s) {
   impl_->server->Shutdown(end);
   impl_->server->Wait();
   if (impl_->relay != nullptr) impl_->relay->SetHere(nullptr);
-  // It may be under way this moment, and nobody else waits for it: the registry must not go before.
+  // The alarm may be running now. Wait for it, because it uses the registry.
   giving_up.Cancel();
   has_given_up->get_future().wait();
 }

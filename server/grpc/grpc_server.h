@@ -15,34 +15,35 @@ class Channel;
 
 namespace dhpmap {
 
-/// The gRPC door: our services, grpc.health.v1 and reflection, behind the guard of server/net. Thread-safe.
+/// The gRPC door: our services, grpc.health.v1 and reflection, behind server/net's limits. Thread-safe.
 class GrpcServer {
  public:
-  /// Binds and serves until Shutdown or destruction; health says NOT_SERVING until SetServing. UNAVAILABLE if the
+  /// Binds and serves until Shutdown or destruction. Health reports NOT_SERVING until SetServing. UNAVAILABLE if the
   /// address cannot be bound. The registry outlives the server.
   static Result<std::unique_ptr<GrpcServer>> Start(const GrpcOptions& options, MapRegistry& registry,
                                                    GrpcObserver observer);
   ~GrpcServer();
 
-  [[nodiscard]] int port() const;  ///< 0 of a unix: address
-  /// What Health/Check and readiness say.
+  [[nodiscard]] int port() const;  ///< 0 for a unix: address
+  /// Sets the answer of Health/Check and of readiness.
   void SetServing(bool is_serving);
   [[nodiscard]] bool is_serving() const;
-  /// Memory of frames that are being decoded, wait to be fused, or are.
+  /// Memory of frames that are decoded, queued or fused now.
   [[nodiscard]] std::size_t frame_bytes() const;
   /// Checks of collisions and trajectories that are being answered in pieces.
   [[nodiscard]] int num_running_checks() const;
-  /// Runs it on the lane of quick answers, behind the calls that wait there. False, without keeping it, if too many do.
+  /// Runs `work` on the lane of quick answers, after the calls that wait there. False, without keeping it, if too many
+  /// wait.
   [[nodiscard]] bool PostQuick(std::function<void()> work);
   /// A channel to this server inside the process; for the REST gateway and tests.
   [[nodiscard]] std::shared_ptr<grpc::Channel> InProcessChannel();
 
-  /// Health says NOT_SERVING, and no more frames are taken: streams of frames end with UNAVAILABLE once what was read
-  /// from them is fused, stored and acknowledged. Everything else goes on. Does not wait.
+  /// Health reports NOT_SERVING, and streams of frames end: the frames already read are fused, stored and acknowledged,
+  /// then the stream ends with UNAVAILABLE. All other calls go on. Does not wait.
   void Drain();
 
-  /// Drain; then refuses new calls, lets running ones go on for `grace_s`, cancels those left, gives up the frames that
-  /// are being fused (MapRegistry::GiveUpMapping), and returns when all have ended.
+  /// Drains, refuses new calls, gives running calls `grace_s`, cancels the rest, and aborts the frames that are being
+  /// fused (MapRegistry::GiveUpMapping). Returns when all calls have ended.
   void Shutdown(double grace_s);
 
  private:

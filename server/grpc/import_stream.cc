@@ -49,7 +49,7 @@ void ImportStream::Read() {
 }
 
 void ImportStream::Watch(Clock::duration after) {
-  // A new one each time: the one that has just fired is still in use.
+  // A new alarm each time: the one that has just fired is still in use.
   alarm_ = std::make_unique<grpc::Alarm>();
   alarm_->Set(GrpcTimeIn(after), [stream = std::weak_ptr(self_)](bool has_fired) {
     const auto self = stream.lock();
@@ -66,7 +66,7 @@ void ImportStream::OnAlarm() {
     if (!is_reading_) return Watch(idle);
     const Clock::duration behind = lag_.WhileWaiting(Clock::now());
     if (behind < idle) return Watch(std::max<Clock::duration>(idle - behind, std::chrono::milliseconds(1)));
-    is_over_ = true;  // what it reads now comes too late
+    is_over_ = true;  // the present read is ignored
   }
   LetGo(Silent(idle_s));
 }
@@ -79,7 +79,7 @@ void ImportStream::OnReadDone(bool ok) {
     lag_.Hear(ok ? arrived_.Length() : 0, Clock::now());
   }
   if (stop_.stop_requested()) return End(GoneAway());
-  if (!ok) {  // all of it has come; or the client is gone, which OnCancel tells
+  if (!ok) {  // the upload is complete, or the client is gone, which OnCancel handles
     context_.lanes.bulk.Post([self = self_] { self->Prepare(); });
     return;
   }
@@ -91,7 +91,7 @@ void ImportStream::OnReadDone(bool ok) {
       else self->End(status);
     });
   });
-  if (incoming_ != nullptr) return context_.lanes.bulk.Post(take);  // one a stream, of which few have begun
+  if (incoming_ != nullptr) return context_.lanes.bulk.Post(take);  // one task per stream, and few streams are admitted
   if (context_.lanes.bulk.TryPost(take)) return;
   take->GiveUp();
   End(TooBusy());

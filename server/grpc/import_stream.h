@@ -18,11 +18,11 @@
 
 namespace dhpmap {
 
-/// One client's file with a map. The next part is read once the one before is on the disk, so none pile up: gRPC's flow
-/// control holds the client back. All of it is done on the bulk lane but for the last step, which other maps' commits
-/// wait for: that is the quick lane's, as a thread that is nice would keep them waiting for a core. A client that goes
-/// away, or gets too far behind the least rate, ends it. Owns itself: lives until gRPC is done with the call and
-/// nobody uses it.
+/// A client's upload of a map file. The next part is read once the previous one is on disk, so parts never pile up:
+/// gRPC's flow control holds the client back. The work runs on the bulk lane. The last step runs on the quick lane,
+/// because other maps' commits wait for it and a low-priority thread would delay them. The upload ends if the client
+/// disconnects or falls too far behind the minimum rate. Owns itself: lives until gRPC is done with the call and no
+/// task uses it.
 class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
  public:
   static ImportStream* Start(const ServiceContext& context, Caller caller, v1::ImportMapResponse* response);
@@ -33,7 +33,7 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
 
  private:
   using Clock = ClientLag::Clock;
-  /// A part of the file, and what is read and written of it at a time.
+  /// Room for a part of the file, and the buffers that read and write it.
   static constexpr std::size_t kKept_bytes = 1u << 20;
 
   ImportStream(const ServiceContext& context, Caller caller, v1::ImportMapResponse* response)
@@ -44,31 +44,31 @@ class ImportStream final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
         share_(&BudgetHere(*context.options.inflight)) {}
 
   void Read() DHPMAP_EXCLUDES(mutex_);
-  /// Looks again whether the client is silent when it may be so.
+  /// Checks for a silent client after this time.
   void Watch(Clock::duration after) DHPMAP_REQUIRES(mutex_);
   void OnAlarm() DHPMAP_EXCLUDES(mutex_);
 
   /// Makes `request_` of the bytes just read, if there is room for it.
   Status TakeMessage();
-  // On the lanes.
+  // These run on the lanes.
   Status TakePart();
   void Prepare();
   void Show();
 
-  /// By whoever works on it.
+  /// Called by the task that works on the stream.
   void End(const Status& status) DHPMAP_EXCLUDES(mutex_);
-  /// Once it is over: what is kept of the file is gone before the client knows.
+  /// Runs after the end: deletes what was stored of the file before the client receives the status.
   void LetGo(const Status& status);
 
   const ServiceContext& context_;
   const Caller caller_;
   v1::ImportMapResponse* const response_;
   CallRecord record_;
-  ByteShare share_;  ///< of the part that was read; nothing before the first
+  ByteShare share_;  ///< of the part that was read; empty before the first
   std::shared_ptr<ImportStream> self_;
   std::stop_source stop_;
 
-  // Of gRPC while it reads, else of the one who works on it.
+  // Used by gRPC while it reads, else by the task that works on the part.
   grpc::ByteBuffer arrived_;
   v1::ImportMapRequest request_;
   std::unique_ptr<MapQuota::Making> making_;  ///< null before the first message, and without keys

@@ -24,7 +24,7 @@ Status NoFrame() {
   return InvalidArgument("the message has no frame").WithReason("BAD_FRAME").WithViolation("frame", "is required");
 }
 
-/// Replaces `bytes`, which no write may be using.
+/// Replaces `bytes`. No write may be using them.
 void WriteTo(grpc::ByteBuffer& bytes, const v1::IntegrateFramesResponse& answer) {
   grpc::ByteBuffer written;
   {
@@ -35,7 +35,7 @@ void WriteTo(grpc::ByteBuffer& bytes, const v1::IntegrateFramesResponse& answer)
   bytes.Swap(&written);
 }
 
-/// A map may have names with colons, which version 0.1 took: as parts of paths they would be ambiguous.
+/// Version 0.1 accepted colons in map names. As parts of paths they would be ambiguous.
 Status CheckSessionName(const std::string& session) {
   if (session.find(':') == std::string::npos) return Status::Ok();
   return InvalidArgument("the name of the session is not usable")
@@ -70,7 +70,7 @@ void IntegrateStream::Stop(const Status& reason) {
     const MutexLock lock(mutex_);
     StopReading(reason);
   }
-  GiveUpDecoding(reason);  // it would not be accepted any more
+  GiveUpDecoding(reason);  // the stream would not accept it any more
 }
 
 void IntegrateStream::OnCancel() {
@@ -91,7 +91,7 @@ void IntegrateStream::OnReadDone(bool ok) {
   }
   num_bytes_ = incoming_.Length();
   has_no_room_ = !arrived_.Resize(num_bytes_);
-  bool loads = false;  // frames of maps that are open do not wait for the disk
+  bool loads = false;  // only frames of maps that are not open wait for the disk
   const Status parsed = RunGuarded([this, &loads] {
     DHPMAP_RETURN_IF_ERROR(ParseHead());
     loads = is_first_ && context_.registry.MustLoad(MapOfResource(request_.map()));
@@ -110,14 +110,14 @@ Status IntegrateStream::ParseHead() {
   if (!head.ok()) return head.status();
   has_frame_ = head->has_frame;
   request_.Swap(&head->message);
-  if (!is_first_) request_.clear_take_over();  // it means nothing here, and must not be asked a right for
+  if (!is_first_) request_.clear_take_over();  // has no meaning here, and must not require a permission
   return caller_.Check(request_);
 }
 
 Status IntegrateStream::Begin(bool& is_decoded_later) {
   {
     const MutexLock lock(mutex_);
-    if (is_cancelled_) return ClientGone();  // loads no map for nobody
+    if (is_cancelled_) return ClientGone();  // load no map for a client that is gone
   }
   DHPMAP_ASSIGN_OR_RETURN(const Place place, PlaceForRequest());
   is_recorded_ = place.map->IsRecorded();
@@ -171,7 +171,7 @@ void IntegrateStream::GiveUpDecoding(const Status& why) {
 void IntegrateStream::HandleRequest() {
   const auto place = PlaceForRequest();
   const std::int64_t sequence = request_.sequence();
-  // What may fail for want of memory comes before the frame is counted, whose answer must come.
+  // Allocate before the frame is counted, because a counted frame must be answered.
   std::function<void(const FrameOutcome&)> done = [self = self_, sequence, room = room_](const FrameOutcome& outcome) {
     room->Release();
     self->OnFrameDone(sequence, outcome);
@@ -194,14 +194,14 @@ void IntegrateStream::HandleRequest() {
 Status IntegrateStream::DecodeMessage() {
   DHPMAP_RETURN_IF_ERROR(Parse());
   frame_ = Guarded<Result<PanopticFrame>>([this] { return DecodeFrame(); });
-  request_.clear_frame();  // here, since a large table takes long
+  request_.clear_frame();  // on this thread, since freeing a large table takes long
   (void)arrived_.Resize(incoming_.Length());
   return Status::Ok();
 }
 
 Status IntegrateStream::Parse() {
   DHPMAP_ASSIGN_OR_RETURN(const MessageOutline outline, OutlineOf(LayoutOf<v1::IntegrateFramesRequest>(), incoming_));
-  // Some messages take many times what they are on the wire: asked before it is so.
+  // Some messages take many times their wire size: check before parsing.
   const std::size_t message_bytes = outline.message_bytes;
   has_no_room_ = !arrived_.Resize(num_bytes_ + message_bytes);
   if (!has_no_room_) {
@@ -234,7 +234,7 @@ ArrivedFrame IntegrateStream::TakeFrame() {
 
 void IntegrateStream::ForgetMessage() {
   incoming_.Clear();
-  request_ = v1::IntegrateFramesRequest();  // Clear() would keep its texts
+  request_ = v1::IntegrateFramesRequest();  // Clear() would keep the strings' memory
   frame_.reset();
   room_.reset();
   arrived_.Release();
@@ -271,7 +271,7 @@ Result<IntegrateStream::Place> IntegrateStream::TakePlace() {
                                           .implausible = request_.refuse_implausible() ? ImplausibleFrames::kRefuse
                                                                                        : ImplausibleFrames::kFuse,
                                           .on_evicted = [self = self_](const Status& why) { self->Stop(why); }}));
-  const MutexLock lock(mutex_);  // nobody else has set it meanwhile: one message is handled at a time
+  const MutexLock lock(mutex_);  // no other thread sets it: the stream handles one message at a time
   map_name_ = request_.map();
   place_ = Place{.map = std::move(map), .feed = std::move(feed)};
   return *place_;
@@ -286,8 +286,8 @@ void IntegrateStream::OnFrameDone(std::int64_t sequence, const FrameOutcome& out
   }
   Ack ack;
   TellSafely([&] { ack = AckOf(sequence, outcome); });
-  if (ack.outcome() == v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) {  // no memory for its words: the feeder
-                                                                                  // counts by the answers
+  if (ack.outcome() == v1::IntegrateFramesResponse::FRAME_OUTCOME_UNSPECIFIED) {
+    // No memory for the full answer. The feeder counts answers, so it gets a short one.
     ack.set_sequence(sequence);
     ack.set_outcome(!outcome.report.ok()   ? v1::IntegrateFramesResponse::REFUSED
                     : outcome.is_duplicate ? v1::IntegrateFramesResponse::DUPLICATE
@@ -306,7 +306,7 @@ void IntegrateStream::Answer(Ack ack) {
   last_.set_sequence(ack.sequence());
   try {
     acks_.push_back(std::move(ack));
-  } catch (const std::bad_alloc&) {  // whoever counts on the answers is told that there are no more
+  } catch (const std::bad_alloc&) {  // end the stream, since an answer is missing
     StopReading(OutOfMemory());
     return Do(turns_.OnSettled());
   }
@@ -322,7 +322,7 @@ bool IntegrateStream::IsLastAnswer() const {
 
 void IntegrateStream::OnWriteDone(bool ok) {
   MutexLock lock(mutex_);
-  if (turns_.is_over()) {  // that was the last answer
+  if (turns_.is_over()) {  // the last answer is written
     const Status status = end_status_;
     lock.Unlock();
     return Finish(ToGrpc(status));
@@ -347,7 +347,7 @@ void IntegrateStream::Do(StreamTurns::Todo todo) {
     WriteTo(outgoing_, acks_.front());
     StartWrite(&outgoing_);
   }
-  // Not from here: the session may answer at once, and End takes the lock.
+  // On a lane: the session may answer at once, and End takes the lock.
   if (todo.end) context_.lanes.frames.Post([self = self_] { self->CommitAndEnd(); });
 }
 
@@ -382,7 +382,7 @@ void IntegrateStream::End(const Status& committed) {
   if (place) {
     SetProgress(place->map->ProgressOf(place->feed), conclusion_);
     if (status.ok()) conclusion_.set_committed(true);
-    place->map->EndFeed(place->feed);  // before the client knows, so that it may start anew at once
+    place->map->EndFeed(place->feed);  // before the client knows, so that it may start again at once
   }
   record_.End(status);
   if (!is_owed) return Finish(ToGrpc(status));

@@ -21,14 +21,13 @@
 
 namespace dhpmap {
 
-/// The streams of frames that are open, so that a shutdown can end them, and what their frames hold in memory.
-/// Thread-safe.
+/// The open streams of frames and the memory of their frames. A shutdown ends them. Thread-safe.
 class IntegrateStreams : public OpenStreams {
  public:
-  /// Frames have room of their own, so that no other call can take it from a robot: `max_frame_bytes` for all streams.
+  /// Frames have a budget of their own, so that other calls cannot starve a robot: `max_frame_bytes` for all streams.
   explicit IntegrateStreams(std::size_t max_frame_bytes) : frame_bytes_(max_frame_bytes) {}
 
-  /// What their frames hold now.
+  /// Memory of their frames now.
   [[nodiscard]] std::size_t frame_bytes() const { return frame_bytes_.used_bytes(); }
 
  private:
@@ -36,29 +35,30 @@ class IntegrateStreams : public OpenStreams {
   ByteBudget frame_bytes_;
 };
 
-/// One client's stream of frames. Reads a message only while fewer than `max_frames_in_flight` frames are read and not
-/// yet acknowledged to the client, so that neither frames nor acknowledgements pile up: gRPC's flow control then holds
-/// the client back. Messages come as bytes, and are parsed and decoded on a lane of nice threads while the map's writer
-/// fuses those before them; what they bring about is done on the lane for frames. Decoded is only what has room and a
-/// place at its map, and what waits for that is given up when its client is gone or the stream is stopped: else clients
-/// that begin ever new streams would fill that lane for all others. Whose turn it is says StreamTurns.
-/// When the client has no more, everything is stored before the last answer: that is one for no frame in a session;
-/// else the last frame's, if the client had half-closed by the time it was fused. A frame for which there is no room in
-/// memory is refused like any that cannot be fused; bytes that are no message end the stream. Owns itself: lives until
-/// gRPC is done with the call and no callback is left.
+/// A client's stream of frames. It reads a message only while fewer than `max_frames_in_flight` frames are read but not
+/// acknowledged, so neither frames nor acknowledgements pile up: gRPC's flow control holds the client back.
+/// Messages arrive as bytes. A lane of low-priority threads parses and decodes them while the map's writer fuses
+/// earlier frames; the lane for frames does the rest. A message is decoded only if its frame fits into memory and the
+/// stream has a place at its map. A message that waits for decoding is dropped when its client disconnects or the
+/// stream is stopped: else clients that keep opening streams would fill that lane for all others. StreamTurns decides
+/// the order.
+/// After the client's last message, all frames are stored before the last answer is sent. That answer belongs to the
+/// last frame if the client had half-closed before the frame was fused; else it is a separate answer without a frame. A
+/// frame that does not fit into memory is refused like one that cannot be fused. Bytes that are no message end the
+/// stream. Owns itself: lives until gRPC is done with the call and no callback is left.
 class IntegrateStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>, public OpenStream {
  public:
-  /// How many messages the client will send.
+  /// The number of messages that the client will send.
   enum class Messages {
     kAny,
-    kOne,  ///< then there is one answer, when all is stored, or the error that refuses it
+    kOne,  ///< one answer, once all is stored, or the error that refuses the message
   };
 
   static IntegrateStream* Start(const ServiceContext& context, Caller caller, IntegrateStreams& streams,
                                 Messages messages);
 
-  /// Reads no more; what was read is fused (or refused, if the map takes no more from us), stored and acknowledged,
-  /// then the stream ends with `reason`.
+  /// Reads no more messages. Those already read are fused (or refused, if the map no longer takes them), stored and
+  /// acknowledged; then the stream ends with `reason`.
   void Stop(const Status& reason) override DHPMAP_EXCLUDES(mutex_);
 
   void OnReadDone(bool ok) override;
@@ -68,7 +68,7 @@ class IntegrateStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, g
 
  private:
   using Ack = v1::IntegrateFramesResponse;
-  /// A map that is open, and our turn at feeding it.
+  /// An open map, and the feed by which this stream may write to it.
   struct Place {
     std::shared_ptr<OpenMap> map;
     std::shared_ptr<Feed> feed;
@@ -83,39 +83,39 @@ class IntegrateStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, g
         arrived_(&streams.frame_bytes_),
         turns_(context.options.max_frames_in_flight) {}
 
-  /// `request_` but for its frame, in next to no time. Of a message for which there is no room no more is kept.
+  /// Fills `request_` without its frame, quickly. Of a message that does not fit into memory only this is kept.
   Status ParseHead();
-  /// Takes a place at the map if the message just read is the first. Then it is handled, or decoded before that.
+  /// Takes a place at the map if this is the first message. Then handles the message, or queues it for decoding.
   Status Begin(bool& is_decoded_later) DHPMAP_EXCLUDES(mutex_);
   Status DecodeLater() DHPMAP_EXCLUDES(mutex_);
-  /// Of the message just read, on a nice thread: `frame_`, or why there is none.
+  /// Decodes the last message on a low-priority thread: sets `frame_`, or returns the error.
   Status DecodeMessage();
-  /// INVALID_ARGUMENT if the message is none.
+  /// INVALID_ARGUMENT if the bytes are no message.
   Status Parse();
   Result<PanopticFrame> DecodeFrame();
-  /// The frame of the message just read, on its way to the writer, with its bytes if they are to be kept.
+  /// Moves out the last message's frame for the writer, with its bytes if they are to be recorded.
   ArrivedFrame TakeFrame();
-  /// Nothing of the message just read is kept while the stream waits.
+  /// Frees the last message while the stream waits.
   void ForgetMessage();
-  /// Hands the frame of the message just read to the writer.
+  /// Hands the last message's frame to the writer.
   void HandleRequest() DHPMAP_EXCLUDES(mutex_);
-  /// The message just read is done with. If not OK no more are read.
+  /// Ends the handling of the last message. If `status` is not OK, no more messages are read.
   void EndMessage(const Status& status) DHPMAP_EXCLUDES(mutex_);
-  /// Ends the message just read if it waits to be decoded.
+  /// Ends the last message if it waits for decoding.
   void GiveUpDecoding(const Status& why) DHPMAP_EXCLUDES(mutex_);
-  /// The place that the message just read is for: taken by the first message.
+  /// The place for the last message: taken by the first message.
   Result<Place> PlaceForRequest() DHPMAP_EXCLUDES(mutex_);
   Result<Place> TakePlace() DHPMAP_EXCLUDES(mutex_);
   /// INVALID_ARGUMENT unless a later message is for the same map and session as the first.
   [[nodiscard]] Status CheckSamePlace() const DHPMAP_REQUIRES(mutex_);
 
   void OnFrameDone(std::int64_t sequence, const FrameOutcome& outcome) DHPMAP_EXCLUDES(mutex_);
-  /// The answer to a message: goes to the client, or is kept for the end.
+  /// Sends the answer to a message to the client, or keeps it for the end.
   void Answer(Ack ack) DHPMAP_EXCLUDES(mutex_);
   /// Whether the next answer to a message is kept as the stream's last one.
   [[nodiscard]] bool IsLastAnswer() const DHPMAP_REQUIRES(mutex_);
 
-  /// Asks for no more messages, because of `reason`; the first reason counts.
+  /// Stops reading because of `reason`; only the first reason counts.
   void StopReading(const Status& reason) DHPMAP_REQUIRES(mutex_);
   void Do(StreamTurns::Todo todo) DHPMAP_REQUIRES(mutex_);
 
@@ -129,31 +129,31 @@ class IntegrateStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, g
   CallRecord record_;
   std::shared_ptr<IntegrateStream> self_;  ///< until OnDone
 
-  // Between StartRead and EndMessage: of the one who handles it.
+  // Used between StartRead and EndMessage by the task that handles the message.
   grpc::ByteBuffer incoming_;
-  v1::IntegrateFramesRequest request_;          ///< that as a message; without its frame once this is decoded
-  ByteShare arrived_;                           ///< what both hold
-  std::size_t num_bytes_ = 0;                   ///< of the message, as it came
-  bool has_frame_ = false;                      ///< the message
-  bool has_no_room_ = false;                    ///< for it
-  bool is_recorded_ = false;                    ///< what the map takes
+  v1::IntegrateFramesRequest request_;          ///< the parsed message; without its frame once that is decoded
+  ByteShare arrived_;                           ///< memory of both
+  std::size_t num_bytes_ = 0;                   ///< of the message on the wire
+  bool has_frame_ = false;                      ///< the message has one
+  bool has_no_room_ = false;                    ///< for the frame
+  bool is_recorded_ = false;                    ///< the map records its frames
   std::optional<Result<PanopticFrame>> frame_;  ///< decoded
   std::shared_ptr<ByteShare> room_;             ///< of frame_; until it is fused
   bool is_first_ = true;
 
   Ack conclusion_;             ///< the last answer; made by End
-  grpc::ByteBuffer outgoing_;  ///< the answer under way, gRPC's
+  grpc::ByteBuffer outgoing_;  ///< the answer that gRPC is writing
 
   mutable Mutex mutex_;
   StreamTurns turns_ DHPMAP_GUARDED_BY(mutex_);
-  std::shared_ptr<LaneTask> decoding_ DHPMAP_GUARDED_BY(mutex_);  ///< of the message just read; null: not yet, or done
+  std::shared_ptr<LaneTask> decoding_ DHPMAP_GUARDED_BY(mutex_);  ///< the queued task that decodes; null: none
   bool is_cancelled_ DHPMAP_GUARDED_BY(mutex_) = false;
   std::string map_name_ DHPMAP_GUARDED_BY(mutex_);
   std::optional<Place> place_ DHPMAP_GUARDED_BY(mutex_);
   std::deque<Ack> acks_ DHPMAP_GUARDED_BY(mutex_);  ///< the first is being written if turns_ says so
-  Ack last_ DHPMAP_GUARDED_BY(mutex_);              ///< what the last answer is made of
-  bool is_kept_ DHPMAP_GUARDED_BY(mutex_) = false;  ///< it is the answer to a message, which has had none yet
-  Status end_status_ DHPMAP_GUARDED_BY(mutex_);     ///< why reading ended; OK: the client has no more
+  Ack last_ DHPMAP_GUARDED_BY(mutex_);              ///< source of the last answer
+  bool is_kept_ DHPMAP_GUARDED_BY(mutex_) = false;  ///< `last_` answers a message that has had no answer yet
+  Status end_status_ DHPMAP_GUARDED_BY(mutex_);     ///< why reading ended; OK: the client has half-closed
 };
 
 }  // namespace dhpmap

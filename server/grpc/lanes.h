@@ -5,20 +5,20 @@
 
 namespace dhpmap {
 
-/// One lane for each kind of call, so that none holds up gRPC's own threads, of which there are two.
+/// One lane for each kind of call, so that no call blocks gRPC's own two threads.
 struct Lanes {
   Lane quick;  ///< answers in microseconds, or asynchronously
-  Lane loads;  ///< the same, of maps that are not open: whoever asks for those waits for the disk
-  /// Hands to gRPC what the bulk lane has made. A thread that is nice must not call it: it would hold gRPC's locks
-  /// while it waits for a core, and the threads that gRPC starts as it needs them would be as nice for ever.
+  Lane loads;  ///< the same for maps that are not open: such calls wait for the disk
+  /// Hands to gRPC what the bulk lane has made. A low-priority thread must not do this: it would hold gRPC's locks
+  /// while it waits for a core, and new threads of gRPC would inherit its priority.
   Lane answers;
-  Lane bulk;  ///< meshes, voxels, many points: takes long, and cares less
-  /// Collisions and trajectories that take long, piece by piece; as nice as the bulk lane, which goes on beside it.
+  Lane bulk;  ///< meshes, voxels, many points: long work at low priority
+  /// Long checks of collisions and trajectories, in pieces. As low in priority as the bulk lane, and parallel to it.
   Lane checks;
-  Lane frames;  ///< what robots stream, before and after it is decoded
-  /// Parsing and decoding that: on nice threads, so that what is quick does not wait for a message that takes long.
+  Lane frames;  ///< robots' frames, before and after decoding
+  /// Parses and decodes frames at low priority, so that a large message does not delay quick calls.
   Lane decoding;
-  Lane watch;  ///< reading what was changed, and telling it; of one thread, so that the store is read once for all
+  Lane watch;  ///< reads changes and sends them; one thread, so that the store is read once for all watchers
 };
 
 }  // namespace dhpmap

@@ -32,7 +32,7 @@ void MapPin::Hold(std::string map, std::shared_ptr<const MapView> view) {
   held_->alarm.Set(GrpcTimeIn(longest_), [held = std::weak_ptr(held_)](bool) {
     const auto still = held.lock();
     if (still == nullptr) return;
-    std::shared_ptr<const MapView> last;  // gone after the mutex
+    std::shared_ptr<const MapView> last;  // freed after the mutex is released
     const MutexLock lock(still->mutex);
     last.swap(still->view);
   });

@@ -10,7 +10,7 @@
 
 namespace dhpmap {
 
-/// Holds one state of one map for some seconds at most, then lets go of it by itself. Thread-compatible.
+/// Pins one state of one map for a few seconds, then releases it by itself. Thread-compatible.
 class MapPin {
  public:
   explicit MapPin(std::chrono::milliseconds longest = std::chrono::seconds(10));
@@ -18,18 +18,18 @@ class MapPin {
   MapPin(const MapPin&) = delete;
   MapPin& operator=(const MapPin&) = delete;
 
-  /// In place of whatever is held.
+  /// Replaces the pinned state, if any.
   void Hold(std::string map, std::shared_ptr<const MapView> view);
   void Release();
 
-  /// The state that is held of a map; null if none is. FAILED_PRECONDITION if it was let go because its time was over.
+  /// The pinned state of that map; null if there is none. FAILED_PRECONDITION if its time ran out.
   [[nodiscard]] Result<std::shared_ptr<const MapView>> Of(const std::string& map) const;
 
  private:
   struct Held;
 
   const std::chrono::milliseconds longest_;
-  std::shared_ptr<Held> held_;  ///< shared with its alarm; null: nothing
+  std::shared_ptr<Held> held_;  ///< shared with its alarm; null: no state is pinned
 };
 
 }  // namespace dhpmap

@@ -22,7 +22,7 @@ Status MayBeUnknown(Status checked) {
   return checked.code() == StatusCode::kUnavailable ? Status::Ok() : std::move(checked);
 }
 
-/// Of maps that are gone, whose lines are left in the file.
+/// Entries of deleted maps that may stay in the file.
 constexpr std::size_t kMostGone = 1000;
 
 }  // namespace
@@ -34,7 +34,7 @@ Result<std::unique_ptr<MapQuota::Making>> MapQuota::Begin(const Caller& caller) 
   if (caller.principal() == nullptr || gate_.owners() == nullptr) return std::unique_ptr<Making>();
   const std::string& principal = caller.principal()->name;
   DHPMAP_RETURN_IF_ERROR(CheckDisk(principal));
-  // Maps that are gone may count too, so few need no look at the maps.
+  // The number may include deleted maps, so a small one settles the question without a look at the maps.
   DHPMAP_ASSIGN_OR_RETURN(const std::set<std::uint64_t> made, gate_.owners()->MapsOf(principal));
   std::size_t num_maps = made.size();
   if (!HasRoom(principal, num_maps)) {
@@ -83,7 +83,7 @@ Status MapQuota::ForgetGone() {
   {
     const MutexLock lock(mutex_);
     if (owners.size() <= num_known_ + kMostGone) return Status::Ok();
-    num_known_ = owners.size();  // nobody else looks meanwhile
+    num_known_ = owners.size();  // no other thread updates it meanwhile
   }
   std::set<std::uint64_t> there;
   DHPMAP_RETURN_IF_ERROR(ForEachMap([&there](const MapInfo& map) { there.insert(map.history_id); }));
@@ -124,7 +124,8 @@ Status MapQuota::CheckDisk(const std::string& principal) {
     sum = Sum{.at_s = now_s};
     DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> maps, MapsOf(principal));
     for (const std::string& map : maps) {
-      if (const auto bytes = registry_.DiskBytes(map); bytes.ok()) sum->bytes += *bytes;  // else it has just gone
+      if (const auto bytes = registry_.DiskBytes(map); bytes.ok())
+        sum->bytes += *bytes;  // else it was deleted just now
     }
     const MutexLock lock(mutex_);
     sums_[principal] = *sum;

@@ -19,34 +19,34 @@
 
 namespace dhpmap {
 
-/// How many maps each principal may make, and how large those may be together that it has made, as auth::CallLimits
-/// say. Without keys there is no quota, and maps that nobody is known to have made are in none. Thread-safe.
+/// Limits the number and the total size of the maps that each principal has made, as auth::CallLimits say. Without keys
+/// there is no quota. A map without a known owner counts for no principal. Thread-safe.
 class MapQuota {
  public:
-  /// How long a sum of bytes stands: it takes a look into the store for each map.
+  /// How long a sum of bytes is reused: computing it reads from the store for each map.
   static constexpr double kSumStands_s = 10;
 
   MapQuota(auth::Gate& gate, MapRegistry& registry, auth::PassingTime now_s = auth::SystemPassingTime());
 
-  /// A map that somebody is making, which counts as one that there is.
+  /// A map that is being made. It counts as an existing one.
   class Making {
    public:
     Making(MapQuota& quota, std::string principal) : quota_(quota), principal_(std::move(principal)) {}
     ~Making() { quota_.GiveBack(principal_); }
     Making(const Making&) = delete;
     Making& operator=(const Making&) = delete;
-    /// It is there. What cannot be written down is logged: the map counts until the next start.
+    /// The map exists. If its owner cannot be stored, that is logged, and the map counts only until the next start.
     void Done(const MapSummary& map) { quota_.Note(principal_, map); }
 
    private:
     MapQuota& quota_;
     const std::string principal_;
   };
-  /// RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if the caller has made as many or as large maps as one may; null without
-  /// keys. Reads from the store.
+  /// RESOURCE_EXHAUSTED, reason OUT_OF_QUOTA, if the caller's maps have reached the number or the size allowed; null
+  /// without keys. Reads from the store.
   Result<std::unique_ptr<Making>> Begin(const Caller& caller) DHPMAP_EXCLUDES(mutex_);
-  /// Before frames go into a map: likewise of its maker, as to the size of the maker's maps. OK while the store does
-  /// not answer.
+  /// The same check of the size, for the maker of `map`, before frames are added to it. OK while the store does not
+  /// answer.
   Status CheckFeed(const MapInfo& map) DHPMAP_EXCLUDES(mutex_);
 
  private:
@@ -56,10 +56,10 @@ class MapQuota {
   };
   void GiveBack(const std::string& principal) DHPMAP_EXCLUDES(mutex_);
   void Note(const std::string& principal, const MapSummary& map) DHPMAP_EXCLUDES(mutex_);
-  /// Lines of maps that are gone, once there may be many: looks at all maps.
+  /// Removes entries of deleted maps once there may be many. Reads the list of all maps.
   Status ForgetGone() DHPMAP_EXCLUDES(mutex_);
   Status ForEachMap(const std::function<void(const MapInfo&)>& body) const;
-  /// Looks at all maps.
+  /// Reads the list of all maps.
   [[nodiscard]] Result<std::vector<std::string>> MapsOf(const std::string& principal) const;
   [[nodiscard]] bool HasRoom(const std::string& principal, std::size_t num_maps) DHPMAP_EXCLUDES(mutex_);
   Status CheckDisk(const std::string& principal) DHPMAP_EXCLUDES(mutex_);
@@ -70,7 +70,7 @@ class MapQuota {
   Mutex mutex_;
   std::map<std::string, int> num_making_ DHPMAP_GUARDED_BY(mutex_);
   std::map<std::string, Sum> sums_ DHPMAP_GUARDED_BY(mutex_);
-  std::size_t num_known_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< maps with an owner after the last look
+  std::size_t num_known_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< maps with an owner when last counted
 };
 
 }  // namespace dhpmap

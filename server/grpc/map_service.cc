@@ -46,8 +46,8 @@ class MapService final : public CountedService<v1::MapService> {
 
   grpc::ServerUnaryReactor* GetMap(grpc::CallbackServerContext*, const v1::GetMapRequest* request,
                                    v1::GetMapResponse* response) override {
-    // A past state is of an open map; the present one of a closed map is asked of the store, which is quick if it is
-    // this process's own.
+    // A past state needs an open map. The present state of a closed map comes from the store, which is quick if this
+    // process owns the database.
     const bool waits = request->read_revision() != 0 || context_.registry.SharesStore();
     const std::string_view opens = waits ? request->name() : std::string_view();
     return Run(context_, {"MapService/GetMap", request, response, opens}, [=, this]() -> Status {
@@ -145,7 +145,7 @@ class MapService final : public CountedService<v1::MapService> {
       DHPMAP_ASSIGN_OR_RETURN(const auto open_map, context_.registry.GetOpen(name));
       std::vector<SnapshotHistory::State> states = open_map->history()->All();
       const SnapshotHistory::State present = open_map->View()->shared_snapshot();
-      // A commit keeps its state before the writer shows it.
+      // The history gets a state before the writer publishes it.
       while (!states.empty() && states.back()->revision() > present->revision()) states.pop_back();
       if (states.empty() || states.back()->revision() < present->revision()) states.push_back(present);
       const PageMark now{.history_id = present->info().history_id, .revision = present->revision()};
@@ -177,7 +177,7 @@ class MapService final : public CountedService<v1::MapService> {
  private:
   /// A page of the maps that the caller may see.
   Status List(const Caller& caller, const v1::ListMapsRequest& request, v1::ListMapsResponse& response) {
-    constexpr std::size_t kMapsALook = 128;  // of whole label sets
+    constexpr std::size_t kMapsALook = 128;  // per look; label sets can be large
     DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(request, PageMark{}));
     const std::size_t num_wanted = std::min(kMapsALook, pager.num_wanted());
     bool has_more = true;
@@ -189,7 +189,7 @@ class MapService final : public CountedService<v1::MapService> {
     response.set_next_page_token(pager.NextToken());
     return Status::Ok();
   }
-  /// False once the page is full.
+  /// False if the page is full.
   bool AddMaps(const std::vector<MapSummary>& maps, const Caller& caller, const v1::ListMapsRequest& request,
                Pager& pager, v1::ListMapsResponse& response) {
     for (const MapSummary& map : maps) {

@@ -9,23 +9,23 @@
 
 namespace dhpmap {
 
-/// A client's stream that goes on until somebody ends it.
+/// A client's stream that runs until it is stopped.
 class OpenStream {
  public:
-  /// Ends it with `reason`, as soon as it may; from any thread.
+  /// Ends the stream with `reason` as soon as possible; from any thread.
   virtual void Stop(const Status& reason) = 0;
 
  protected:
   ~OpenStream() = default;
 };
 
-/// The streams of one kind that are open, so that a shutdown can end them. Thread-safe.
+/// The open streams of one kind. A shutdown ends them. Thread-safe.
 class OpenStreams {
  public:
-  /// Ends every stream, and those that come later, with ShuttingDown.
+  /// Ends every stream, and every later one, with ShuttingDown.
   void StopAll() DHPMAP_EXCLUDES(mutex_);
 
-  /// False if it is too late. Each is removed before it goes.
+  /// False after StopAll. A stream removes itself before it is deleted.
   bool Add(OpenStream* stream) DHPMAP_EXCLUDES(mutex_);
   void Remove(OpenStream* stream) DHPMAP_EXCLUDES(mutex_);
 

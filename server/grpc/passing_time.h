@@ -8,14 +8,14 @@
 
 namespace dhpmap {
 
-// gRPC's alarms, deadlines and ends by time that only passes: nobody's setting of the system's clock moves them.
+// gRPC's alarms, deadlines and timeouts on the monotonic clock: setting the system's clock does not move them.
 
 /// For grpc::Alarm::Set and grpc::Server::Shutdown.
 inline gpr_timespec GrpcTimeIn(std::chrono::nanoseconds from_now) {
   return gpr_time_add(gpr_now(GPR_CLOCK_MONOTONIC), gpr_time_from_nanos(from_now.count(), GPR_TIMESPAN));
 }
 
-/// When a call's client waits no longer, but `latest` at the latest.
+/// When the call's client stops waiting, but `latest` at the latest.
 inline std::chrono::steady_clock::time_point DeadlineOf(const grpc::CallbackServerContext& call,
                                                         std::chrono::nanoseconds latest) {
   const gpr_timespec left = gpr_convert_clock_type(call.raw_deadline(), GPR_TIMESPAN);

@@ -7,7 +7,7 @@ std::size_t PeerSlots::Of(const std::string& peer_key) {
   if (peer_key.empty()) return 0;
   const MutexLock lock(mutex_);
   if (const auto found = by_peer_.find(peer_key); found != by_peer_.end()) return found->second;
-  if (by_peer_.size() >= kMostPeers) by_peer_.clear();  // connections that are open keep their slots, which stay shared
+  if (by_peer_.size() >= kMostPeers) by_peer_.clear();  // open connections keep their slots, which then may be shared
   const std::size_t slot = next_;
   next_ = next_ + 1 < kNum ? next_ + 1 : 1;
   by_peer_.emplace(peer_key, slot);

@@ -10,17 +10,18 @@
 
 namespace dhpmap {
 
-/// By which of gRPC's acceptors a connection comes in. What looks at a call's key learns nothing of the call's
-/// connection from gRPC (1.51) but its acceptor's credentials: so peers get acceptors of their own, while there are
-/// some, and share them beyond. Thread-safe.
+/// Assigns connections to gRPC's acceptors by peer. gRPC (1.51) tells the check of a call's key nothing about the
+/// connection but its acceptor's credentials. So each peer gets an acceptor of its own until they run out; further
+/// peers share them. Thread-safe.
 class PeerSlots {
  public:
   static constexpr std::size_t kNum = 64;
-  static constexpr std::size_t kMostPeers = 4096;  ///< that are remembered; then all begin anew
+  static constexpr std::size_t kMostPeers = 4096;  ///< remembered at most; then the table starts empty again
 
-  /// Of a connection from there (net::PeerKey); empty: none, slot 0, which nobody else has.
+  /// The slot of a connection from that peer (net::PeerKey). An empty key has slot 0 to itself.
   std::size_t Of(const std::string& peer_key) DHPMAP_EXCLUDES(mutex_);
-  /// Under what wrong keys of the slot count: its only peer, or a name for all of it that is no address; empty for 0.
+  /// The name under which wrong keys of the slot are counted: its only peer, or a name for all peers that share it;
+  /// empty for 0.
   [[nodiscard]] std::string KeyOf(std::size_t slot) const DHPMAP_EXCLUDES(mutex_);
 
  private:

@@ -22,7 +22,7 @@
 namespace dhpmap {
 namespace {
 
-/// More take milliseconds, which are in the way of those who ask for little.
+/// Larger queries take milliseconds and would delay small ones.
 constexpr std::size_t kMostQuickPoints = 2048, kMostQuickDistances = 256, kMostQuickBodies = 256,
                       kMostQuickSpheres = 2048;
 
@@ -150,7 +150,7 @@ QueryEffort EffortOf(const v1::CheckCollisionsRequest& request) {
 }
 
 QueryEffort EffortOf(const v1::CheckTrajectoryRequest& request) {
-  // What is attached is many spheres more.
+  // Attached objects add many spheres.
   const std::size_t most_quick = request.options().attached_size() > 0 ? 0 : kMostQuickSpheres;
   return EffortOfItems(request, NumSpheres(request), most_quick);
 }

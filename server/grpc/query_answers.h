@@ -13,15 +13,15 @@
 
 namespace dhpmap {
 
-/// What answering a query takes.
+/// The cost of answering a query.
 struct QueryEffort {
   std::size_t num_items = 1;     ///< points, rays, calls
   bool is_quick = false;         ///< a millisecond at most
-  std::size_t answer_bytes = 0;  ///< at most: the question as we hold it, the answer, and the answer as bytes
+  std::size_t answer_bytes = 0;  ///< upper bound: the question as held, the answer, and the answer's bytes
 };
 
-/// Answers a query from one state of a map. `fits` is an error where there is not that much room for answers; it is
-/// returned once the request is known to be sound. `spread` is for those with many parts.
+/// Where a query is answered: one state of a map. `fits` is an error if the answers do not fit into the budget; a query
+/// returns it after it has validated the request. `spread` parallelises queries with many parts.
 struct QueryPlace {
   const ServiceContext& context;
   const MapView& view;
@@ -30,7 +30,7 @@ struct QueryPlace {
   const Spread& spread;
 };
 
-// A query is two functions of its request, for unary calls and for streams.
+// Each query is two functions of its request, for unary calls and for streams.
 
 QueryEffort EffortOf(const v1::QueryPointsRequest& request);
 Status AnswerQuery(const QueryPlace& place, const v1::QueryPointsRequest& request, v1::QueryPointsResponse& response);
@@ -54,14 +54,14 @@ QueryEffort EffortOf(const v1::QueryRelationsRequest& request);
 Status AnswerQuery(const QueryPlace& place, const v1::QueryRelationsRequest& request,
                    v1::QueryRelationsResponse& response);
 
-// Those that are answered in pieces: see CheckAnswer.
+// Queries that are answered in pieces: see CheckAnswer.
 QueryEffort EffortOf(const v1::CheckCollisionsRequest& request);
 QueryEffort EffortOf(const v1::CheckTrajectoryRequest& request);
 
-/// What AnswerQuery is to say of `fits` where so many bytes are more than there are for all calls.
+/// The error for `fits` if so many bytes exceed the budget of all calls.
 Status AnswersTooLarge(std::size_t bytes);
 
-/// Any query above, with what there is room for, counted.
+/// Answers any query above, within the budget, and counts it.
 template <typename Request, typename Response>
 Status AnswerFromMap(const ServiceContext& context, const std::shared_ptr<const MapView>& view, const Request& request,
                      Response& response, const std::stop_token& stop) {

@@ -88,7 +88,7 @@ class QueryService final : public CountedService<v1::QueryService> {
   }
 
  private:
-  /// Answers a query in one of the lanes, by how long it takes, once the map is at the revision that it asks for.
+  /// Answers a query on the lane that fits its cost, once the map has reached the requested revision.
   template <typename Request, typename Response>
   Reactor* Answer(Context* context, const char* name, const Request* request, Response* response) {
     const QueryEffort effort = EffortOf(*request);
@@ -116,7 +116,7 @@ class QueryService final : public CountedService<v1::QueryService> {
     return RunBulk(context_, call, can_fit ? effort.answer_bytes : 0, answer);
   }
 
-  /// The same of one that is answered in pieces.
+  /// The same for a query that is answered in pieces.
   template <typename Request, typename Response>
   Reactor* AnswerCheck(Context* context, const char* name, const Request* request, Response* response) {
     const QueryEffort effort = EffortOf(*request);
@@ -155,7 +155,7 @@ class QueryService final : public CountedService<v1::QueryService> {
     return revision > 0 && CheckReadRevision(request.read_revision(), revision).ok();
   }
 
-  /// Calls answer() on the quick lane once the map is at the revision that the request asks for.
+  /// Calls answer() on the quick lane once the map has reached the requested revision.
   template <typename Request, typename Answer>
   Reactor* AnswerOnceThere(Context* context, const CallMessages& call, const Request& request, Answer answer) {
     return RunAsync(context_, call, [=, this, &request](const Respond& respond, const std::stop_token& stop) {
@@ -167,7 +167,7 @@ class QueryService final : public CountedService<v1::QueryService> {
     });
   }
 
-  /// For calls that have waited, and cannot be given up while they wait once more.
+  /// For calls that have waited already and cannot be cancelled while they wait again.
   static void PostOrRefuse(Lane& lane, const Respond& respond, std::function<void()> work) {
     const auto task = std::make_shared<LaneTask>(std::move(work));
     if (lane.TryPost(task)) return;

@@ -23,14 +23,14 @@ namespace {
 
 using WireFormat = google::protobuf::internal::WireFormatLite;
 
-/// While an answer is written it is there as a message and as bytes. What is small is counted by its bytes alone: lists
-/// of messages take several times that.
+/// An answer is in memory as a message and as bytes while it is written. A small answer counts by its bytes alone,
+/// although lists of messages take several times that.
 std::size_t BytesOfAnswer(const v1::StreamQueriesResponse& response, const ByteBudget& budget) {
   const std::size_t num_bytes = response.ByteSizeLong();
   return 2 * num_bytes <= budget.free_bytes() ? 2 * num_bytes : num_bytes + response.SpaceUsedLong();
 }
 
-/// Of a message that may be too large to be parsed: 0 if it has none.
+/// Reads the number of a message that may be too large to parse: 0 if it has none.
 std::int64_t SequenceOf(const grpc::ByteBuffer& bytes) {
   grpc::ByteBuffer shared = bytes;
   grpc::ProtoBufferReader reader(&shared);
@@ -63,7 +63,7 @@ void QueryStream::Stop(const Status& reason) {
   const MutexLock lock(mutex_);
   if (is_over_) return;
   reason_ = reason;
-  if (is_reading_) End(reason);  // what it reads now comes too late
+  if (is_reading_) End(reason);  // the present read is ignored
 }
 
 void QueryStream::Read() {
@@ -74,8 +74,8 @@ void QueryStream::Read() {
   StartRead(&incoming_);
 }
 
-/// Who asks again at once, for what there is no room for, has each question in memory until it is refused: it is not
-/// read, and so stays with the client, until there is room for one like the last, which is kept for it.
+/// A client that repeats a refused question at once would fill memory with it each time. So the stream reads on only
+/// once a question like the last one fits; its room is reserved. Until then the question stays with the client.
 void QueryStream::ReadLater() {
   constexpr std::chrono::milliseconds kPause{100};
   pause_ = std::make_unique<grpc::Alarm>();
@@ -89,7 +89,7 @@ void QueryStream::ReadLater() {
 }
 
 void QueryStream::ReadIfThereIsRoom() {
-  // The next question may be a small one: it does not wait for ever until there is room for the last one's answer.
+  // The next question may be smaller, so the wait for the last answer's room ends after some pauses.
   constexpr int kMostPausesForAnswer = 10;
   const bool has_room = room_->Take(num_pauses_ < kMostPausesForAnswer ? wanted_bytes_ : question_bytes_);
   ++num_pauses_;
@@ -124,9 +124,9 @@ void QueryStream::OnReadDone(bool ok) {
     const MutexLock lock(mutex_);
     is_reading_ = false;
     if (is_over_) return;
-    if (!ok) return End(Status::Ok());  // the client has no more
+    if (!ok) return End(Status::Ok());  // the client has half-closed
   }
-  pause_.reset();  // what was taken ahead is used now
+  pause_.reset();  // the reserved room is used now
   response_.Clear();
   const Status taken = RunGuarded([this] { return TakeMessage(); });
   if (taken.ok()) return Handle();
@@ -256,8 +256,7 @@ Status QueryStream::HandlePin() {
 
 void QueryStream::Answer(const Status& status) {
   incoming_.Clear();
-  request_ =
-      v1::StreamQueriesRequest();  // it is answered, and may be large; Clear() would keep what nobody knows of it
+  request_ = v1::StreamQueriesRequest();  // frees it now; Clear() would keep unknown fields
   const bool has_room = !status.ok() || room_->Use(BytesOfAnswer(response_, *budget_));
   const Status outcome = has_room ? status : TooManyBytes();
   if (!outcome.ok()) {

@@ -19,11 +19,11 @@
 
 namespace dhpmap {
 
-/// One client's stream of queries, answered one by one in their order, each in the lane that it would be in as a call
-/// of its own. The next is read once the answer before it is on its way, so none pile up here: gRPC's flow control
-/// holds the client back. Messages come as bytes, and are parsed once there is room for them. After an answer that
-/// there was no room for it is read with room in hand. Bytes that are no message end the stream. Deletes itself when
-/// the call is over.
+/// A client's stream of queries. They are answered in order, each on the lane that it would use as a unary call. The
+/// next query is read once the previous answer is being written, so queries never pile up: gRPC's flow control holds
+/// the client back. Messages arrive as bytes and are parsed once they fit into the budget. After an answer that did not
+/// fit, the stream reserves room before it reads on. Bytes that are no message end the stream. Deletes itself when the
+/// call is over.
 class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::StreamQueriesResponse>,
                           public OpenStream {
  public:
@@ -49,25 +49,25 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::S
   void Read() DHPMAP_EXCLUDES(mutex_);
   void ReadLater();
   void ReadIfThereIsRoom();
-  /// What was taken for the next question, unless that comes soon.
+  /// Returns the room reserved for the next question, unless the question comes soon.
   void GiveRoomBackLater();
   [[nodiscard]] bool IsToEnd() DHPMAP_EXCLUDES(mutex_);
   void End(const Status& status) DHPMAP_REQUIRES(mutex_);
 
   /// Makes `request_` of the bytes just read, if there is room for it.
   Status TakeMessage();
-  /// The message just read, whichever query it holds.
+  /// Answers the last message, whatever query it holds.
   void Handle();
   template <typename Request, typename Response>
   void Handle(const Request& request, Response& response);
-  /// The same of one that is answered in pieces.
+  /// The same for a query that is answered in pieces.
   template <typename Request, typename Response>
   void HandleCheck(const Request& request, Response& response);
   /// The state that a message is answered from.
   template <typename Request>
   Result<std::shared_ptr<const MapView>> ViewOf(const Request& request);
   Status HandlePin();
-  /// Answers with what `work`, done in a lane, returns.
+  /// Answers with the result of `work`, which runs on a lane.
   void AnswerInLane(bool is_quick, std::string_view opens, const std::function<Status()>& work);
   void Answer(const Status& status);
 
@@ -76,24 +76,24 @@ class QueryStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::S
   OpenStreams& streams_;
   CallRecord record_;
   const std::shared_ptr<ByteBudget> budget_;
-  const std::shared_ptr<RoomAhead> room_;  ///< of the request and its answer; of an alarm, too
+  const std::shared_ptr<RoomAhead> room_;  ///< of the request and its answer; shared with an alarm
   std::stop_source stop_;
   MapPin pin_;
 
-  // Of gRPC while it reads or writes, else of the one who answers.
+  // Used by gRPC while it reads or writes, else by the task that answers.
   grpc::ByteBuffer incoming_;
   v1::StreamQueriesRequest request_;
   v1::StreamQueriesResponse response_;
   bool has_had_no_room_ = false;    ///< for the last answer
-  std::size_t question_bytes_ = 0;  ///< of the last one
-  std::size_t wanted_bytes_ = 0;    ///< for it and its answer
-  int num_pauses_ = 0;              ///< since it was refused
+  std::size_t question_bytes_ = 0;  ///< of the last question
+  std::size_t wanted_bytes_ = 0;    ///< for the last question and its answer
+  int num_pauses_ = 0;              ///< since the last question was refused
   std::unique_ptr<grpc::Alarm> pause_;
 
   Mutex mutex_;
   bool is_reading_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_over_ DHPMAP_GUARDED_BY(mutex_) = false;
-  Status reason_ DHPMAP_GUARDED_BY(mutex_);  ///< not OK: no more is read
+  Status reason_ DHPMAP_GUARDED_BY(mutex_);  ///< not OK: reading has ended
 };
 
 }  // namespace dhpmap

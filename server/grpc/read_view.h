@@ -14,34 +14,33 @@
 
 namespace dhpmap {
 
-/// The revision that a query is to wait for; 0: none.
+/// The revision that a query waits for; 0: none.
 template <typename Request>
 std::int64_t MinRevision(const Request& request) {
   if constexpr (requires { request.options().min_revision(); }) return request.options().min_revision();
   else return 0;
 }
 
-/// The revision that the client has seen a page of a list of; 0: none.
+/// The revision of the list's earlier page that the client has; 0: none.
 template <typename Request>
 std::int64_t RevisionOfPage(const Request& request) {
   if constexpr (requires { request.page_token(); }) return RevisionOfPageToken(request.page_token());
   else return 0;
 }
 
-/// INVALID_ARGUMENT, reason BAD_REVISION, for a request that is to be answered from a state of before the revision that
-/// it waits for.
+/// INVALID_ARGUMENT, reason BAD_REVISION, if the requested state is older than the revision that the request waits for.
 Status CheckReadRevision(std::int64_t read_revision, std::int64_t min_revision);
 
-/// What a request says of the state that it wants.
+/// The state that a request asks for.
 struct WantedState {
   std::int64_t read_revision = 0;
   bool is_eventual = false;   ///< any state that this process has will do,
-  std::int64_t at_least = 0;  ///< but one that was told to the client before rather than an older one
+  std::int64_t at_least = 0;  ///< but not older than a revision that the client has already seen, if possible
 };
 
-/// The state that a request about maps/{map} is answered from: that of its read_revision, see dhpmap::ViewAt; else what
-/// its stream has `pinned`, if anything; else the last published one, or with EVENTUAL that of
-/// MapRegistry::EventualViewOf. Every handler that reads a map comes by here.
+/// The state that answers a request about maps/{map}: its read_revision if it names one, see dhpmap::ViewAt; else the
+/// state `pinned` by its stream; else the last published one, or with EVENTUAL that of MapRegistry::EventualViewOf.
+/// Every handler that reads a map calls it.
 Result<std::shared_ptr<const MapView>> ViewFor(const ServiceContext& context, const std::string& map,
                                                const WantedState& wanted,
                                                std::shared_ptr<const MapView> pinned = nullptr);

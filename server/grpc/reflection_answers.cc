@@ -20,7 +20,7 @@ using ReflectionResponse = grpc::reflection::v1::ServerReflectionResponse;
 
 const DescriptorPool& Pool() { return *DescriptorPool::generated_pool(); }
 
-/// `file` and all that it imports, at whatever distance, each once.
+/// Adds `file` and its direct and indirect imports, each once.
 void Describe(const FileDescriptor& file, ReflectionResponse& response) {
   auto& answer = *response.mutable_file_descriptor_response();
   std::vector<const FileDescriptor*> files{&file};

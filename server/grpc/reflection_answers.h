@@ -8,9 +8,9 @@
 
 namespace dhpmap {
 
-/// Answers a request of gRPC's server reflection, `response.original_request()`, from the descriptors that are linked
-/// in; `services` are those served, by their full names. A file comes with all that it imports, itself first. What
-/// there is not is answered by an error, NOT_FOUND; a request that asks nothing by INVALID_ARGUMENT. Thread-safe.
+/// Answers a request of gRPC's server reflection, `response.original_request()`, from the descriptors linked into the
+/// program. `services` are the full names of the served services. A file comes first, followed by all its imports. An
+/// unknown name is answered with the error NOT_FOUND, an empty request with INVALID_ARGUMENT. Thread-safe.
 void AnswerReflection(const std::vector<std::string>& services,
                       grpc::reflection::v1::ServerReflectionResponse& response);
 

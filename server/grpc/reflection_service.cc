@@ -18,7 +18,7 @@ namespace reflection_v1alpha = grpc::reflection::v1alpha;
 
 namespace {
 
-/// A request is a name, and comes back in its answer.
+/// A request is a name, and its answer repeats it.
 constexpr std::size_t kMostAsked_bytes = 64u << 10;
 
 Status TooMuchAsked(std::size_t num_bytes) {
@@ -29,9 +29,9 @@ Status TooMuchAsked(std::size_t num_bytes) {
 
 using ServiceNames = std::shared_ptr<const std::vector<std::string>>;
 
-/// One client's stream of questions, of either version: on the wire they are the same. The next is read once the answer
-/// before it is on its way; between them nothing is held but the stream itself. What is too large, no message, or has
-/// no room ends it. Deletes itself when the call is over.
+/// A client's stream of questions. Both versions have the same wire format. The next question is read once the previous
+/// answer is being written; between them only the stream itself takes memory. A question that is too large, malformed,
+/// or does not fit into the budget ends the stream. Deletes itself when the call is over.
 class ReflectionStream final
     : public grpc::ServerBidiReactor<grpc::ByteBuffer, reflection_v1::ServerReflectionResponse>,
       public OpenStream {
@@ -52,7 +52,7 @@ class ReflectionStream final
     const MutexLock lock(mutex_);
     if (is_over_) return;
     reason_ = reason;
-    if (is_reading_) End(reason);  // what it reads now comes too late
+    if (is_reading_) End(reason);  // the present read is ignored
   }
 
   void OnReadDone(bool ok) override {
@@ -60,7 +60,7 @@ class ReflectionStream final
       const MutexLock lock(mutex_);
       is_reading_ = false;
       if (is_over_) return;
-      if (!ok) return End(Status::Ok());  // the client has no more
+      if (!ok) return End(Status::Ok());  // the client has half-closed
     }
     const Status taken = RunGuarded([this] { return Take(); });
     if (!taken.ok()) Fail(taken);
@@ -98,7 +98,7 @@ class ReflectionStream final
     Finish(ToGrpc(status));
   }
 
-  /// For want of a question or an answer; never while it reads.
+  /// Ends the stream if there is no question or no answer; never during a read.
   void Fail(const Status& status) DHPMAP_EXCLUDES(mutex_) {
     LetGo();
     const MutexLock lock(mutex_);
@@ -111,7 +111,7 @@ class ReflectionStream final
     share_.Release();
   }
 
-  /// Makes a message of what was read, if there is room for it, and has it answered.
+  /// Parses what was read, if it fits into the budget, and answers it.
   Status Take() {
     if (incoming_.Length() > kMostAsked_bytes) return TooMuchAsked(incoming_.Length());
     DHPMAP_RETURN_IF_ERROR(ParseWithin(*context_.options.inflight, LayoutOf<reflection_v1::ServerReflectionRequest>(),
@@ -140,15 +140,15 @@ class ReflectionStream final
   const ServiceNames services_;
   CallRecord record_;
 
-  // Of gRPC while it reads or writes, else of the one who answers.
-  ByteShare share_;  ///< of both below; given back last
+  // Used by gRPC while it reads or writes, else by the task that answers.
+  ByteShare share_;  ///< of both messages below; released last
   grpc::ByteBuffer incoming_;
-  reflection_v1::ServerReflectionResponse response_;  ///< with the request that it answers
+  reflection_v1::ServerReflectionResponse response_;  ///< includes the request
 
   Mutex mutex_;
   bool is_reading_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_over_ DHPMAP_GUARDED_BY(mutex_) = false;
-  Status reason_ DHPMAP_GUARDED_BY(mutex_);  ///< not OK: no more is read
+  Status reason_ DHPMAP_GUARDED_BY(mutex_);  ///< not OK: reading has ended
 };
 
 template <typename Service, typename Request>

@@ -12,9 +12,9 @@
 
 namespace dhpmap {
 
-/// gRPC's server reflection, v1 and v1alpha, which tell of themselves and of `services`, by their full names. In place
-/// of gRPC's own, which parses what comes, however large, and keeps it, with a thread, as long as a stream is open.
-/// Context and streams outlive them.
+/// gRPC's server reflection, v1 and v1alpha. They list themselves and `services`, by full names. gRPC's own service
+/// parses requests of any size and holds a thread for as long as a stream is open; these do not. Context and streams
+/// outlive them.
 std::vector<std::unique_ptr<grpc::Service>> MakeReflectionServices(const ServiceContext& context, OpenStreams& streams,
                                                                    std::vector<std::string> services);
 

@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-/// Gives back what a message holds, which Clear() would keep for the next one.
+/// Frees the message's memory, which Clear() would keep for reuse.
 void Empty(google::protobuf::Message& message) {
   const std::unique_ptr<google::protobuf::Message> empty(message.New());
   message.GetReflection()->Swap(&message, empty.get());

@@ -15,18 +15,19 @@
 
 namespace dhpmap {
 
-/// Makes a message of the bytes, which are gone then, whatever comes of it. `resize` is asked beforehand for what both
-/// take, and told afterwards what the message does: TOO_MANY_BYTES if it says no, BODY_TOO_LARGE if that is more than
-/// there ever is. What is small is counted by its bytes alone: lists of messages take several times that.
-/// INVALID_ARGUMENT, reason MALFORMED_PROTOBUF, if it is none. Unless it is OK the message holds nothing.
+/// Parses the bytes into a message and frees them in any case. Calls `resize` first with the memory of both, and
+/// afterwards with the memory of the message alone. TOO_MANY_BYTES if `resize` refuses; BODY_TOO_LARGE if the memory
+/// exceeds the whole budget. A small message counts by its bytes alone, although lists of messages take several times
+/// that. INVALID_ARGUMENT, reason MALFORMED_PROTOBUF, if the bytes are no message. The message is empty unless the
+/// result is OK.
 Status ParseWithin(const ByteBudget& budget, const MessageLayout& layout, grpc::ByteBuffer& bytes,
                    google::protobuf::Message& message, const std::function<bool(std::size_t)>& resize);
 
-/// A request as gRPC hands it over, which keeps it until the call is over: bytes, until there is room for the message.
-/// Its members are mutable since gRPC says const.
+/// A request as gRPC hands it over and keeps it until the call is over: bytes, until the message fits into the budget.
+/// Its members are mutable because gRPC passes it as const.
 template <typename Message>
 struct RawRequest {
-  mutable std::optional<ByteShare> share;  ///< what it takes; given back last
+  mutable std::optional<ByteShare> share;  ///< its memory; released last
   mutable grpc::ByteBuffer bytes;
   mutable Message message;
 };
@@ -35,7 +36,7 @@ struct RawRequest {
 
 namespace grpc {
 
-/// Parses nothing.
+/// Keeps the bytes unparsed.
 template <typename Message>
 class SerializationTraits<dhpmap::RawRequest<Message>, void> {
  public:

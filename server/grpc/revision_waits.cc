@@ -11,7 +11,7 @@
 
 namespace dhpmap {
 
-/// Owns itself: its alarm, or the lane, holds it until it is done.
+/// Owns itself: its alarm or the lane holds it until it is done.
 class RevisionWaits::Wait : public std::enable_shared_from_this<Wait> {
  public:
   Wait(const RevisionWaits& waits, Wanted wanted, TimePoint deadline, std::stop_token stop,
@@ -25,7 +25,7 @@ class RevisionWaits::Wait : public std::enable_shared_from_this<Wait> {
   ~Wait() { --*num_waiting_; }
 
   void Look() {
-    alarm_.reset();  // it holds us
+    alarm_.reset();  // it holds a reference to this
     bool is_over = true;
     const Status status = RunGuarded([&]() -> Status {
       if (stop_.stop_requested()) return Cancelled("the client went away, or its deadline has passed");

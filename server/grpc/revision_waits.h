@@ -13,7 +13,7 @@
 
 namespace dhpmap {
 
-/// Calls that wait until a map is at some revision. None holds a thread: each looks again every 10 ms. Thread-safe.
+/// Calls that wait for a revision of a map. A waiting call holds no thread; it checks every 10 ms. Thread-safe.
 class RevisionWaits {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -22,18 +22,17 @@ class RevisionWaits {
 
   explicit RevisionWaits(const ServiceContext& context) : context_(context) {}
 
-  /// What a call waits for.
+  /// The map and revision that a call waits for.
   struct Wanted {
     std::string map;
     std::int64_t revision = 0;
-    bool is_eventual = false;  ///< of the state that MapRegistry::EventualViewOf gives, in place of ViewOf
+    bool is_eventual = false;  ///< use MapRegistry::EventualViewOf in place of ViewOf
   };
 
-  /// Calls done(OK) on the quick lane once the map is at the revision or later; else done() with why it is not: what
-  /// MapRegistry::ViewOf says, OUT_OF_RANGE, reason HISTORY_LOST, for a revision that was lost with a crash,
-  /// DEADLINE_EXCEEDED after `deadline` or kLongest, CANCELLED soon after `stop` is requested, RESOURCE_EXHAUSTED if
-  /// kMost wait already. To be called on the quick lane; `done` may run before it returns. The context outlives the
-  /// wait.
+  /// Calls done(OK) on the quick lane once the map has reached the revision. Else calls done() with the error: one of
+  /// MapRegistry::ViewOf; OUT_OF_RANGE, reason HISTORY_LOST, for a revision lost in a crash; DEADLINE_EXCEEDED after
+  /// `deadline` or kLongest; CANCELLED soon after `stop` is requested; RESOURCE_EXHAUSTED if kMost calls wait already.
+  /// Call it on the quick lane; `done` may run before it returns. The context outlives the wait.
   void Await(Wanted wanted, TimePoint deadline, std::stop_token stop, std::function<void(const Status&)> done);
 
  private:

@@ -11,15 +11,15 @@
 
 namespace dhpmap {
 
-/// What the present message of a stream takes of a budget, and room for the next one before it is there: who was
-/// refused for want of room reads on only with room in hand, so that what is read is no longer more than what may be. A
-/// stream has one message at a time. Thread-safe.
+/// The memory of a stream's present message, and room reserved for its next one. A stream that was refused for lack of
+/// memory reserves room before it reads on, so that the bytes read never exceed the budget. A stream has one message at
+/// a time. Thread-safe.
 class RoomAhead {
  public:
   explicit RoomAhead(std::shared_ptr<ByteBudget> budget) : budget_(std::move(budget)), share_(budget_.get()) {}
 
-  /// Room for a message that is not there yet; all there is for one that is larger. False, and nothing is held, if
-  /// there is not so much now.
+  /// Reserves room for the next message, at most the whole budget. False, and nothing is held, if that much is not
+  /// free.
   [[nodiscard]] bool Take(std::size_t bytes) DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     is_used_ = false;
@@ -27,7 +27,7 @@ class RoomAhead {
     share_.Release();
     return false;
   }
-  /// The message is there, and takes so much by now. False, and nothing is held, if there is not so much.
+  /// The message has arrived and takes this much. False, and nothing is held, if that much is not free.
   [[nodiscard]] bool Use(std::size_t bytes) DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     is_used_ = true;
@@ -35,12 +35,12 @@ class RoomAhead {
     share_.Release();
     return false;
   }
-  /// Gives back what was taken for a message that has not come; without effect on one that is there.
+  /// Releases the room reserved for a message that has not come. No effect once it has arrived.
   void GiveBackUnused() DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     if (!is_used_) share_.Release();
   }
-  /// The message is gone.
+  /// The message is freed.
   void Release() DHPMAP_EXCLUDES(mutex_) {
     const MutexLock lock(mutex_);
     share_.Release();

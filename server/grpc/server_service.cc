@@ -26,7 +26,7 @@ void SetTime(std::int64_t time_ns, google::protobuf::Timestamp& time) {
   time.set_nanos(static_cast<int>(time_ns % kSecond_ns));
 }
 
-/// 0 of what is not there.
+/// 0 if the file does not exist.
 std::int64_t FileBytes(const std::string& path) {
   std::error_code error;
   const auto size = fs::file_size(path, error);

@@ -12,7 +12,7 @@
 
 namespace dhpmap {
 
-// One .cc file a service. The context, and the streams, outlive the service.
+// One .cc file per service. The context and the streams outlive the service.
 std::unique_ptr<grpc::Service> MakeAuthService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeMapService(const ServiceContext& context);
 std::unique_ptr<grpc::Service> MakeMappingService(const ServiceContext& context, IntegrateStreams& streams);

@@ -7,7 +7,7 @@
 
 namespace dhpmap {
 
-/// With a serialised google.rpc.Status as details: see ToProto(const Status&).
+/// The details hold a serialised google.rpc.Status: see ToProto(const Status&).
 grpc::Status ToGrpc(const Status& status);
 
 }  // namespace dhpmap

@@ -3,16 +3,16 @@
 
 namespace dhpmap {
 
-// A stream of frames is two flows beside each other, each with its own state. All legal changes stand here.
+// A stream of frames has two independent flows, each with its own state. This file lists all legal transitions.
 
-/// Where the messages of the client stand.
+/// State of the client's messages.
 enum class StreamIntake {
-  kPaused,        ///< none is asked for: too many are not acknowledged yet
-  kReading,       ///< one is asked for
-  kHandling,      ///< one is being decoded
-  kHandlingLast,  ///< one is being decoded, and no more are asked for
-  kEnded,         ///< no more are asked for; acknowledgements may be outstanding
-  kOver,          ///< all is acknowledged, and the stream is being ended
+  kPaused,        ///< not reading: too many frames are unacknowledged
+  kReading,       ///< waiting for a message
+  kHandling,      ///< decoding a message
+  kHandlingLast,  ///< decoding the last message
+  kEnded,         ///< no more reads; acknowledgements may be outstanding
+  kOver,          ///< all acknowledged; the stream is ending
 };
 
 constexpr bool IsLegal(StreamIntake from, StreamIntake to) {
@@ -27,11 +27,11 @@ constexpr bool IsLegal(StreamIntake from, StreamIntake to) {
   return false;
 }
 
-/// Where the acknowledgements stand.
+/// State of the acknowledgements.
 enum class StreamOutlet {
   kIdle,
-  kWriting,  ///< one is under way
-  kBroken,   ///< the client is gone: what is left is dropped
+  kWriting,  ///< one is being written
+  kBroken,   ///< the client is gone; the rest is dropped
 };
 
 constexpr bool IsLegal(StreamOutlet from, StreamOutlet to) {

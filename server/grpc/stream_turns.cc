@@ -19,7 +19,7 @@ StreamTurns::Todo StreamTurns::OnStart() { return Next(); }
 
 bool StreamTurns::OnRead(bool ok, Todo& todo) {
   todo = {};
-  if (!intake_.Is(Intake::kReading)) return false;  // stopped meanwhile: what came in is not handled
+  if (!intake_.Is(Intake::kReading)) return false;  // stopped meanwhile: the message is not handled
   intake_.To(ok ? Intake::kHandling : Intake::kEnded);
   if (!ok) todo = Next();
   return ok;

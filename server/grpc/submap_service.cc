@@ -153,7 +153,7 @@ class SubmapService final : public CountedService<v1::SubmapService> {
           wanted.held_etags = held_etags;
           DHPMAP_ASSIGN_OR_RETURN(const auto view, ViewFor(context_, name.map, *request));
           auto state = view->shared_snapshot();
-          // Of GLB, what is around has a say, too: ExportMesh looks for the submap.
+          // A GLB also depends on the surroundings: ExportMesh selects the submap.
           if (wanted.submap && wanted.format != MeshFormat::kGlb) state = OnlySubmap(*state, *wanted.submap);
           if (state == nullptr) return NoSuchSubmap(view->snapshot().info(), *wanted.submap);
           DHPMAP_RETURN_IF_ERROR(keeps.hold(state));
@@ -176,7 +176,7 @@ class SubmapService final : public CountedService<v1::SubmapService> {
     return ExportMesh(std::move(state), wanted, stop, OnBulkLane(context_));
   }
 
-  /// A list of one, so that what every request that edits may say means the same as in ApplyEdits.
+  /// A list of one edit, so that the common fields of edit requests mean the same as in ApplyEdits.
   template <typename Request, typename Action>
   Result<PlannedEdit> PlanOne(const char* method, const Request& request, const SubmapName& name,
                               const std::string& etag, Action action) const {
@@ -192,7 +192,7 @@ class SubmapService final : public CountedService<v1::SubmapService> {
     return PlanEdit(method, request, name.map, std::move(change));
   }
 
-  /// Of some apartments: what several people look at, and who comes back, gets at once.
+  /// Enough for some apartments: repeated requests for the same mesh are answered at once.
   static constexpr std::size_t kGlbBytes = 64u << 20;
 
   const ServiceContext& context_;

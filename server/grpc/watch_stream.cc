@@ -117,7 +117,7 @@ void WatchStream::End(const Status& status) {
 void WatchStream::Begin() {
   const Status status = RunGuarded([this] { return Prepare(); });
   if (!status.ok()) return End(status);
-  response_.mutable_progress();  // where it begins
+  response_.mutable_progress();  // the starting position
   Write();
 }
 
@@ -137,10 +137,10 @@ Status WatchStream::Prepare() {
                           PositionBefore(start, summary.info, *context_.registry.LostRevisionsOf(name)));
   DHPMAP_ASSIGN_OR_RETURN(follower_, context_.registry.changes().Follow(name, [this] { Wake(); }));
   position_ = {map_.history_id, position ? position->revision : std::numeric_limits<std::int64_t>::max()};
-  DHPMAP_RETURN_IF_ERROR(ReadPage().status());  // whether that is kept
+  DHPMAP_RETURN_IF_ERROR(ReadPage().status());  // fails if the store no longer keeps that position
   if (!position) position_.revision = page_.revision;
   const MutexLock lock(mutex_);
-  exports_asked_ = context_.registry.exports().number();  // who comes now is told of no earlier end
+  exports_asked_ = context_.registry.exports().number();  // a new watcher does not receive exports that ended before
   return Status::Ok();
 }
 
@@ -176,7 +176,7 @@ Result<bool> WatchStream::FillNext() {
   }
 }
 
-/// The next message of the page, if it has another.
+/// Fills the next message of the page, if there is one.
 bool WatchStream::FillChange() {
   while (!messages_.has_next()) {
     messages_ = {};
@@ -194,18 +194,18 @@ bool WatchStream::FillChange() {
   return true;
 }
 
-/// Whether the store has more to tell.
+/// Whether the store has more changes.
 Result<bool> WatchStream::ReadPage() {
   next_in_page_ = 0;
   page_.changes.clear();
   DHPMAP_ASSIGN_OR_RETURN(page_, context_.registry.changes().Read(map_.name, position_.revision));
-  if (page_.history_id != map_.history_id) return MapIsGone(map_.name);  // another has its name
+  if (page_.history_id != map_.history_id) return MapIsGone(map_.name);  // a new map has this name
   const bool is_at_end = page_.changes.empty() && !page_.has_more;
   if (is_at_end) position_.revision = std::max(position_.revision, page_.revision);
   return !page_.changes.empty();
 }
 
-/// What there is to tell of exports since it was asked last.
+/// News of exports since the last call.
 ExportNews WatchStream::AskExports() {
   const MutexLock lock(mutex_);
   ExportNews news = context_.registry.exports().Of(map_.name, exports_asked_);
@@ -213,8 +213,8 @@ ExportNews WatchStream::AskExports() {
   return news;
 }
 
-/// If it is time to say something, or FinishMapping or an export has come to another stage or has ended. Exports may do
-/// so as often as clients like, so that is told of several together.
+/// Fills a message if one is due, or if FinishMapping or an export has reached another stage or ended. Clients may
+/// start exports often, so news of several exports is combined.
 bool WatchStream::FillProgress() {
   const auto now = Clock::now();
   const auto finishing = context_.registry.FinishingOf(map_.name);
@@ -244,8 +244,8 @@ bool WatchStream::IsTimeToSay(Clock::time_point now) const {
   return now >= say_by_;
 }
 
-/// Of all that the stream holds while its message stands: whoever does not read holds it for as long. What else is in
-/// the page is read again where there is no room for it.
+/// Counts all that the stream holds while its message is unsent, since a slow client holds it that long. The rest of
+/// the page is dropped if it does not fit, and read again later.
 bool WatchStream::TakeShare() {
   std::size_t own_bytes = 2 * response_.ByteSizeLong();
   if (messages_.has_next()) own_bytes += told_bytes_;

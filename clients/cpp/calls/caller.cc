@@ -13,7 +13,7 @@
 namespace dhpmap::client {
 namespace {
 
-/// A server that is dead or cut off is noticed, and one that comes back is found soon.
+/// Notices a dead or unreachable server, and reconnects soon after it has returned.
 grpc::ChannelArguments ChannelOptions() {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);
@@ -27,7 +27,7 @@ grpc::ChannelArguments ChannelOptions() {
   return arguments;
 }
 
-/// Null where a key would go in the clear to another machine.
+/// Null if a key would be sent unencrypted to another machine.
 std::shared_ptr<grpc::Channel> ChannelTo(const std::string& address, const ConnectOptions& options) {
   auto credentials = CredentialsFor(address, options);
   return credentials.ok() ? grpc::CreateCustomChannel(address, *credentials, ChannelOptions()) : nullptr;
@@ -114,7 +114,7 @@ Status Caller::Attempt(const std::function<grpc::Status(Stubs&, grpc::ClientCont
     const grpc::Status outcome = call(owner != nullptr ? *owner : *first_, &context);
     Heard(map, context, outcome);
     Status status = StatusOf(outcome);
-    if (owner != nullptr && status.reason == "NOT_OWNER") continue;  // it did nothing; now by the first server
+    if (owner != nullptr && status.reason == "NOT_OWNER") continue;  // not its map: ask the first server
     if (status.code == StatusCode::kDeadlineExceeded && status.reason.empty()) {
       status.message = "took longer than deadline_s = " + Told(most_s);
     }

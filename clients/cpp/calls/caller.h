@@ -17,22 +17,23 @@
 
 namespace dhpmap::client {
 
-/// A call that met no server is sent again, unless it would be done twice: it carries no request_id.
+/// Whether a call that reached no server is sent again. kNo for calls without a request_id, which might be made twice.
 enum class Again { kYes, kNo };
 
-/// A connection, and the only caller of methods: who calls, deadlines, repetitions, errors. Thread-safe.
+/// A connection through which all methods are called. Adds the caller's credentials, deadlines, retries and errors.
+/// Thread-safe.
 class Caller {
  public:
-  /// Without a look at the server, which the first call meets or not: who asks says where that was.
+  /// Does not contact the server. If the first call fails to reach it, its error names the address.
   static Result<std::shared_ptr<Caller>> Open(const std::string& address, const ConnectOptions& options);
-  /// Over a channel that is there. One that stays within the process cannot be waited for: Again::kNo.
+  /// Uses an existing channel. Pass Again::kNo for a channel within the process: one cannot wait for it.
   static std::shared_ptr<Caller> Over(const std::shared_ptr<grpc::Channel>& channel,
                                       const ConnectOptions& options = {});
   /// Unavailable if no server answers within options.connect_s.
   static Result<std::shared_ptr<Caller>> Connect(const std::string& address, const ConnectOptions& options);
 
-  /// The answer to one request, such as Call(&v1::MapService::Stub::GetMap, request). All attempts together end by the
-  /// deadline; 0: that of the connection.
+  /// The answer to one request, such as Call(&v1::MapService::Stub::GetMap, request). The deadline covers all attempts;
+  /// 0: that of the connection.
   template <typename Stub, typename Request, typename Response>
   Result<Response> Call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
                         const Request& request, double deadline_s = 0, Again again = Again::kYes) {
@@ -46,7 +47,7 @@ class Caller {
     return response;
   }
 
-  /// The answer to one request, part by part, the last by the deadline; 0: without one. Not sent again.
+  /// The answer to one request, in parts. The deadline covers all parts; 0: none. Never retried.
   template <typename Stub, typename Request, typename Response>
   std::unique_ptr<Parts<Response>> Read(
       std::unique_ptr<grpc::ClientReader<Response>> (Stub::*method)(grpc::ClientContext*, const Request&),
@@ -64,18 +65,18 @@ class Caller {
   Stub& stub() {
     return first_->of<Stub>();
   }
-  /// Of the server that owns maps/..., if that is known and connected or is soon, else of the first one. For a stream
-  /// about the map, whose metadata are to be told to Heard.
+  /// For a stream about maps/...: the server that owns the map, if it is known and connects soon, else the first
+  /// server. Pass the stream's metadata to Heard.
   std::shared_ptr<Stubs> NearestTo(const std::string& map) const;
   void Heard(const std::string& map, const grpc::ClientContext& context, const grpc::Status& status) const;
-  /// What each call says of who calls.
+  /// Adds the caller's credentials to a call.
   void Introduce(grpc::ClientContext& context) const;
-  /// Until there is a connection, or `end` has come; whether there is one. gRPC looks after a channel that nobody waits
-  /// for every five seconds only: so who has lost a connection waits here, not asleep.
+  /// Waits until there is a connection or until `end`. Returns whether there is one. gRPC looks after an idle channel
+  /// only every five seconds, so a caller that lost its connection waits here instead of sleeping.
   [[nodiscard]] bool AwaitConnection(Clock::time_point end) const;
-  /// Until `end`, while a lost connection comes back.
+  /// Waits until `end` while a lost connection is restored.
   void Pause(Clock::time_point end) const;
-  /// What a stream that has ended came to.
+  /// The result of a stream that has ended.
   [[nodiscard]] Status StatusOf(const grpc::Status& status) const;
   [[nodiscard]] double DeadlineOr(double deadline_s) const { return deadline_s > 0 ? deadline_s : options_.deadline_s; }
   [[nodiscard]] const std::string& author() const { return options_.author; }
@@ -88,7 +89,7 @@ class Caller {
   Status Attempt(const std::function<grpc::Status(Stubs&, grpc::ClientContext*)>& call, const std::string& map,
                  double deadline_s, Again again) const;
 
-  const std::string address_;  // as it is told; empty: it is not
+  const std::string address_;  // for error messages; empty: not named
   const ConnectOptions options_;
   const std::string token_;
   const std::shared_ptr<grpc::Channel> channel_;
@@ -96,7 +97,7 @@ class Caller {
   mutable OwnerRoutes routes_;
 };
 
-/// A UUID, by which the server knows an edit that is sent again.
+/// A UUID by which the server recognises a repeated edit.
 std::string NewRequestId();
 
 }  // namespace dhpmap::client

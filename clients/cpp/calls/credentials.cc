@@ -22,7 +22,7 @@ bool IsThisMachine(std::string_view address) {
          (host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string_view::npos);
 }
 
-/// Reads a PEM file into `text`, unless none is named.
+/// Reads the named PEM file into `text`; an empty name leaves `text` unchanged.
 Status ReadPem(const char* option, const std::string& file, std::string& text) {
   if (file.empty()) return {};
   std::ifstream in(file, std::ios::binary);

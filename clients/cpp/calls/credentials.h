@@ -11,13 +11,13 @@
 
 namespace dhpmap::client {
 
-/// How to talk to a server. InvalidArgument for files that cannot be read, and for a token that would go to another
-/// machine in the clear.
+/// The credentials of a connection. InvalidArgument for unreadable files, and for a token that would be sent
+/// unencrypted to another machine.
 Result<std::shared_ptr<grpc::ChannelCredentials>> CredentialsFor(const std::string& address,
                                                                  const ConnectOptions& options);
 
-/// That of the options, or of their file; empty: none. InvalidArgument for a file that is open to others, or holds
-/// none.
+/// The token of the options, or of their file; empty: none. InvalidArgument for a file that others may read, or that
+/// holds no token.
 Result<std::string> TokenOf(const ConnectOptions& options);
 
 }  // namespace dhpmap::client

@@ -37,7 +37,7 @@ Status StatusOf(const grpc::Status& status, const std::string& address) {
   told.set_code(status.error_code());
   told.set_message(status.error_message());
   const bool is_told = told.details_size() > 0;
-  // What gRPC says at times of a connection that is lost.
+  // gRPC reports some lost connections this way.
   if (!is_told && told.code() == grpc::UNKNOWN && told.message().find("Stream removed") != std::string::npos) {
     told.set_code(grpc::UNAVAILABLE);
   }

@@ -11,15 +11,15 @@
 namespace dhpmap::client {
 
 Status Error(StatusCode code, std::string message);
-/// A mistake that was found before anything was sent.
+/// The error for an argument that is wrong before anything is sent.
 Status BadArgument(std::string field, std::string description);
 
-/// What a call came to; of one that met no server also where that was looked for, unless `address` is empty.
+/// The status of a call. If no server was reached, the message names `address`, unless that is empty.
 Status StatusOf(const grpc::Status& status, const std::string& address);
-/// What a message tells.
+/// The status that a message contains.
 Status StatusOf(const google::rpc::Status& status);
 
-/// Whether the same request may be answered a little later.
+/// Whether the same request may succeed a little later.
 bool IsPassing(const Status& status);
 
 }  // namespace dhpmap::client

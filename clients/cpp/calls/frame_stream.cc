@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t kMostUnacknowledged = 8;
 constexpr std::size_t kMostNotes = 1000;
-/// Without anything being stored in between: a frame that ends the server must not end it for ever.
+/// Lost connections in a row without a newly stored frame: a frame that crashes the server must not do so for ever.
 constexpr int kMostLosses = 10;
 
-/// Whether the same frame may be taken a little later.
+/// Whether the server may accept the same frame a little later.
 bool IsRefusedForNow(const Status& status) {
   return status.code == StatusCode::kUnavailable || status.reason == "STORE_BEHIND" ||
          status.reason == "TOO_MANY_BYTES";
@@ -138,7 +138,7 @@ void FrameStream::Hold() {
         num_losses += status.code == StatusCode::kUnavailable && status.reason.empty() ? 1 : 0;
       }
       is_over_ = is_abandoned_ || (status.ok() && is_closing_ && unacknowledged_.empty());
-      if (status.ok() && !is_over_) continue;  // all is stored, and there is more to come
+      if (status.ok() && !is_over_) continue;  // all is stored, and further frames will come
       const Clock::time_point now = Clock::now();
       lost_at = lost_at.value_or(now);
       if (!is_over_ && (!may_pass || num_losses > kMostLosses || now - *lost_at > Seconds(options_.reconnect_s))) {
@@ -155,7 +155,7 @@ void FrameStream::Hold() {
 
 bool FrameStream::MayPass(const Status& status) const {
   if (!has_name()) return false;
-  // Without a reason it is gRPC's own word: the frame is larger than the server takes, and will be.
+  // Without a reason the error is gRPC's own: the frame exceeds the server's message limit, so a retry is useless.
   return status.code == StatusCode::kUnavailable ||
          (status.code == StatusCode::kResourceExhausted && !status.reason.empty());
 }
@@ -195,7 +195,7 @@ Status FrameStream::Exchange() {
   if (!heard.ok()) context.TryCancel();
   {
     const MutexLock lock(mutex_);
-    ++connection_;  // wakes the writer, whatever it waits for
+    ++connection_;  // wakes the waiting writer
     context_ = nullptr;
     changed_.NotifyAll();
   }
@@ -230,7 +230,7 @@ void FrameStream::WriteAll(Stream& stream, int connection) {
     greeting = greeting_;
   }
   if (has_name() && !stream.Write(greeting)) return;
-  bool says_whose = !has_name();  // who is not greeted says with the first frame where it goes
+  bool says_whose = !has_name();  // without a greeting, the first frame names the map
   while (const auto request = NextToSend(connection)) {
     const bool is_taken = says_whose ? stream.Write(WithFrame(greeting, *request)) : stream.Write(*request);
     if (!is_taken) return;
@@ -266,7 +266,7 @@ Status FrameStream::Hear(const Response& answer) {
   if (!is_greeted_) {
     if (answer.has_error()) return client::StatusOf(answer.error());
     is_greeted_ = true;
-    greeting_.set_take_over(false);  // what takes over from us later may keep it
+    greeting_.set_take_over(false);  // a later stream may take over from this one and keep the session
     unsent_.clear();
     for (const auto& its : kept_) unsent_.push_back(its.first);
   } else if (answer.outcome() != Response::FRAME_OUTCOME_UNSPECIFIED) {
@@ -287,7 +287,7 @@ Status FrameStream::Acknowledge(const Response& answer) {
   }
   if (answer.outcome() == Response::FUSED) ++state_.num_fused;
   if (has_name()) unacknowledged_.erase(sequence);
-  else Forget(sequence);  // nobody could send it again
+  else Forget(sequence);  // it cannot be sent again
   for (const v1::FrameWarning& its : answer.warnings()) {
     Note({sequence, false, v1::FrameWarning::Fault_Name(its.fault()), its.message()});
   }

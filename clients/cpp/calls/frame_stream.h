@@ -19,30 +19,30 @@
 
 namespace dhpmap::client {
 
-/// Who follows a stream of frames, on a thread of its own, one call at a time, and not after the stream's life. Each
-/// may be empty.
+/// Callbacks of a stream of frames. They run on a thread of the stream, one at a time, and not after its destruction.
+/// Each may be empty.
 struct FrameListener {
-  std::function<void(const v1::IntegrateFramesResponse&)> on_answer;  ///< each, as it comes
-  std::function<bool(const Status& why)> goes_on;                     ///< the connection is lost; false: gives up
+  std::function<void(const v1::IntegrateFramesResponse&)> on_answer;  ///< called for each answer
+  std::function<bool(const Status& why)> goes_on;  ///< called after a lost connection; false: give up
 };
 
-/// A session of frames: sent in order, kept until they are stored, sent again after a lost connection. One that has no
-/// name ends with its connection. One thread pushes, any may look; a thread of its own holds the connection, and one
-/// more for each connection sends.
+/// A session of frames. Sends them in order, keeps each until it is stored, and sends it again after a lost connection.
+/// A session without a name ends with its connection. One thread pushes; any thread may call the const methods. One
+/// thread of its own holds the connection, and one more per connection sends.
 class FrameStream {
  public:
   FrameStream(std::shared_ptr<Caller> caller, const std::string& map, const FeedOptions& options,
               FrameListener listener = {});
-  /// Ends the connection at once; what is not stored may be lost.
+  /// Closes the connection at once; frames that are not stored may be lost.
   ~FrameStream();
   FrameStream(const FrameStream&) = delete;
   FrameStream& operator=(const FrameStream&) = delete;
 
-  /// What the server refuses the stream with. A session without a name is not greeted: OK.
+  /// The server's error if it refuses the stream. OK for a session without a name, which has no greeting.
   Status WaitUntilGreeted() DHPMAP_EXCLUDES(mutex_);
-  /// Waits for room; what has ended the stream.
+  /// Waits for room. Returns the error that has ended the stream.
   Status Push(std::int64_t sequence, v1::Frame frame) DHPMAP_EXCLUDES(mutex_);
-  /// Waits until all is stored.
+  /// Waits until all frames are stored.
   Status Close() DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] FeedState state() const DHPMAP_EXCLUDES(mutex_);
@@ -53,29 +53,30 @@ class FrameStream {
   using Response = v1::IntegrateFramesResponse;
   using Stream = grpc::ClientReaderWriterInterface<Request, Response>;
 
-  /// Connects until all is over.
+  /// Keeps a connection until the stream is over.
   void Hold();
-  /// Until `again`, and on until there is a connection, two seconds at most; less if the feed is abandoned.
+  /// Waits until `again`, and then for a connection, two seconds at most; less if the feed is abandoned.
   void AwaitConnection(Clock::time_point again) DHPMAP_EXCLUDES(mutex_);
-  /// One connection; OK: all that was to be sent is stored.
+  /// Runs one connection. OK: all frames to be sent are stored.
   Status Exchange();
   Status ReadAll(Stream& stream);
   void WriteAll(Stream& stream, int connection);
-  /// The next to send on a connection; null: no more will come.
+  /// The next message to send on a connection; null: there are no more.
   std::shared_ptr<const Request> NextToSend(int connection);
   Status Hear(const Response& answer);
-  /// Not OK: the frame was refused for now only, and comes again on another connection.
+  /// Not OK: the frame was refused for now and is sent again on another connection.
   Status Acknowledge(const Response& answer) DHPMAP_REQUIRES(mutex_);
   void ForgetStored(std::int64_t sequence) DHPMAP_REQUIRES(mutex_);
   void Forget(std::int64_t sequence) DHPMAP_REQUIRES(mutex_);
   void Note(FrameNote note) DHPMAP_REQUIRES(mutex_);
   Status EndOf(const grpc::Status& finished) DHPMAP_EXCLUDES(mutex_);
-  /// Until it is so, at most deadline_s after the server's last word. What has ended the stream.
+  /// Waits until is_so(), at most deadline_s after the server's last message. Returns the error that has ended the
+  /// stream.
   Status Wait(const std::function<bool()>& is_so, const char* what) DHPMAP_REQUIRES(mutex_);
   bool HasRoom(std::int64_t num_bytes) DHPMAP_REQUIRES(mutex_);
 
   [[nodiscard]] bool has_name() const { return !options_.session.empty(); }
-  /// Whether another connection may do better.
+  /// Whether another connection may succeed.
   [[nodiscard]] bool MayPass(const Status& status) const;
 
   const std::shared_ptr<Caller> caller_;
@@ -84,14 +85,14 @@ class FrameStream {
   mutable Mutex mutex_;
   CondVar changed_;
   Request greeting_ DHPMAP_GUARDED_BY(mutex_);
-  std::map<std::int64_t, std::shared_ptr<const Request>> kept_ DHPMAP_GUARDED_BY(mutex_);  // not known to be stored
+  std::map<std::int64_t, std::shared_ptr<const Request>> kept_ DHPMAP_GUARDED_BY(mutex_);  // perhaps not stored
   std::int64_t kept_bytes_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::set<std::int64_t> unacknowledged_ DHPMAP_GUARDED_BY(mutex_);
   std::deque<std::int64_t> unsent_ DHPMAP_GUARDED_BY(mutex_);  // on this connection
-  int connection_ DHPMAP_GUARDED_BY(mutex_) = 0;               // counted, so that what is left of an old one ends
+  int connection_ DHPMAP_GUARDED_BY(mutex_) = 0;               // number of the connection; threads of older ones end
   grpc::ClientContext* context_ DHPMAP_GUARDED_BY(mutex_) = nullptr;
   bool is_greeted_ DHPMAP_GUARDED_BY(mutex_) = false;
-  bool is_flushing_ DHPMAP_GUARDED_BY(mutex_) = false;  // ends in good order, for only then the server stores at once
+  bool is_flushing_ DHPMAP_GUARDED_BY(mutex_) = false;  // half-closes, because only then the server stores at once
   bool is_closing_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_abandoned_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_over_ DHPMAP_GUARDED_BY(mutex_) = false;

@@ -12,8 +12,8 @@
 namespace dhpmap::client {
 namespace {
 
-constexpr double kDefaultProgress_s = 15;  // the server says something at least so often
-constexpr double kProgresses = 3;          // so many may fail to come before the connection counts as lost
+constexpr double kDefaultProgress_s = 15;  // longest silence that the server promises
+constexpr double kProgresses = 3;          // the connection counts as lost after this many silences
 constexpr double kLook_s = 0.1;            // how soon Close is noticed while there is no connection
 
 double SilenceOf(const v1::WatchMapRequest& request) {
@@ -21,14 +21,14 @@ double SilenceOf(const v1::WatchMapRequest& request) {
   return kProgresses * (progress_s > 0 ? progress_s : kDefaultProgress_s);
 }
 
-/// A server that ends may cancel what it has begun.
+/// Whether the stream may be opened again. A server that shuts down may cancel its streams.
 bool IsLost(const Status& status) {
   return status.code == StatusCode::kUnavailable || status.code == StatusCode::kCancelled;
 }
 
 }  // namespace
 
-/// One connection. Reads ahead by one message.
+/// One connection. Reads one message ahead.
 class MessageWatch::Connection {
  public:
   Connection(Caller& caller, const v1::WatchMapRequest& request) {
@@ -58,7 +58,7 @@ class MessageWatch::Connection {
   }
   void ReadOn() { reader_->Read(&message_, this); }
   [[nodiscard]] const v1::WatchMapResponse& message() const { return message_; }
-  /// After kEnd. A stream that has ended tells its status without waiting for anybody.
+  /// Call after kEnd: the stream has ended, so this does not wait.
   grpc::Status Finish() {
     grpc::Status status;
     reader_->Finish(&status, this);

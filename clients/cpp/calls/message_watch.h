@@ -11,11 +11,11 @@
 
 namespace dhpmap::client {
 
-/// What WatchMap tells, over connections that come and go: each goes on after the last position. For one thread, but
-/// Close.
+/// The messages of WatchMap, across lost connections: each new connection resumes after the last position. For one
+/// thread, except Close.
 class MessageWatch {
  public:
-  /// Asked whenever a connection is lost: false gives up.
+  /// Called after a lost connection: false gives up.
   using GoesOn = std::function<bool(const Status& why)>;
 
   MessageWatch(std::shared_ptr<Caller> caller, v1::WatchMapRequest request, double reconnect_s, GoesOn goes_on);
@@ -23,20 +23,20 @@ class MessageWatch {
   MessageWatch(const MessageWatch&) = delete;
   MessageWatch& operator=(const MessageWatch&) = delete;
 
-  /// The next message; nothing once `end` has come, or after Close. What has ended the watch; Unavailable after
-  /// reconnect_s without a server. After a lost connection a revision that was told in part is told from its beginning.
+  /// The next message; nothing at `end` or after Close. An error ends the watch; Unavailable after reconnect_s without
+  /// a server. After a lost connection, a revision that was received in part is received again from its beginning.
   Result<std::optional<v1::WatchMapResponse>> Next(Clock::time_point end);
-  /// Ends it: Next, also one that waits, returns nothing from now on. Safe from any thread.
+  /// Ends the watch: Next returns nothing from now on, even if it is waiting. Callable from any thread.
   void Close();
-  /// Where the watch would go on now; empty: where it began.
+  /// The position after which the watch would resume; empty: its start.
   [[nodiscard]] const std::string& position() const { return request_.resume_after(); }
 
  private:
   class Connection;
 
-  /// True: there is another message, in the connection. False: it is over, or `end` has come.
+  /// True: the connection has another message. False: it has ended, or `end` has come.
   Result<bool> Step(Clock::time_point end, bool& has_message);
-  /// The connection is lost. True: go on.
+  /// Handles a lost connection. True: go on.
   Result<bool> Recover(const Status& why, Clock::time_point end);
   bool IsClosed();
 
@@ -49,7 +49,7 @@ class MessageWatch {
 
   Mutex mutex_;
   bool is_closed_ DHPMAP_GUARDED_BY(mutex_) = false;
-  std::unique_ptr<Connection> connection_;  // by the thread of Next; made and dropped with the mutex held
+  std::unique_ptr<Connection> connection_;  // used by the thread of Next; replaced with the mutex held
 };
 
 }  // namespace dhpmap::client

@@ -33,7 +33,7 @@ void OwnerRoutes::Learn(const std::string& map, const grpc::ClientContext& conte
   const MutexLock lock(mutex_);
   if (const auto known = addresses_.find(map); known != addresses_.end() && known->second == address) return;
   if (ServerAt(address) == nullptr) return;
-  if (addresses_.size() >= kMostMaps) addresses_.clear();  // they are told again
+  if (addresses_.size() >= kMostMaps) addresses_.clear();  // later answers fill it again
   addresses_[map] = address;
 }
 
@@ -41,7 +41,7 @@ std::shared_ptr<Stubs> OwnerRoutes::ServerAt(const std::string& address) {
   if (const auto found = servers_.find(address); found != servers_.end()) return found->second;
   const std::shared_ptr<grpc::Channel> channel = dial_(address);
   if (channel == nullptr) return nullptr;
-  if (servers_.size() >= kMostServers) servers_.clear();  // who still calls one keeps it
+  if (servers_.size() >= kMostServers) servers_.clear();  // calls in progress keep their server
   (void)channel->GetState(/*try_to_connect=*/true);
   return servers_[address] = std::make_shared<Stubs>(channel);
 }

@@ -46,23 +46,21 @@ class Stubs {
       stubs_;
 };
 
-/// Where the owners of maps are, as the answers of a fleet of servers say: calls about a map save the way through
-/// another server. An owner that cannot be reached from here is left alone: the first server passes calls on.
-/// Thread-safe.
+/// The addresses of the maps' owners, learned from the answers of a fleet. Calls about a map then go directly to its
+/// owner. If the owner cannot be reached from here, they go to the first server, which relays them. Thread-safe.
 class OwnerRoutes {
  public:
   static constexpr std::size_t kMostServers = 16, kMostMaps = 1024;
-  /// A channel to that address, which connects by itself; null: that must not be.
+  /// Opens a channel to that address, which connects by itself; null: the address is not allowed.
   using Dial = std::function<std::shared_ptr<grpc::Channel>(const std::string& address)>;
 
-  /// Empty: owners are not looked for.
+  /// An empty `dial` turns routing off.
   explicit OwnerRoutes(Dial dial) : dial_(std::move(dial)) {}
 
-  /// The owner of maps/..., once it is connected, for which it waits until `end`; null: the first server is to be
-  /// asked.
+  /// The connected owner of maps/...; waits for the connection until `end`. Null: use the first server.
   [[nodiscard]] std::shared_ptr<Stubs> To(const std::string& map, Clock::time_point end = {}) const
       DHPMAP_EXCLUDES(mutex_);
-  /// What a call about the map has told, when its first answer or its end is there.
+  /// Reads the owner from a call's metadata. Call it after the first answer or the end.
   void Learn(const std::string& map, const grpc::ClientContext& context) DHPMAP_EXCLUDES(mutex_);
   void Forget(const std::string& map) DHPMAP_EXCLUDES(mutex_);
 
@@ -78,7 +76,7 @@ class OwnerRoutes {
 /// "maps/{map}" of a name below it; empty for other names.
 std::string MapOfName(const std::string& name);
 
-/// The map that a request is about; empty: none, or it says so elsewhere.
+/// The map that a request names; empty: none, or the request names it in a field unknown to this function.
 template <typename Request>
 std::string MapOfRequest(const Request& request) {
   if constexpr (requires {

@@ -5,8 +5,8 @@
 
 namespace dhpmap::client {
 
-/// Calls `take(page)` with page after page, until there are no more or it returns false. A call each, with the
-/// deadline and the repetitions of Caller::Call.
+/// Calls `take(page)` for each page until there are no more or it returns false. Each page is one call, with the
+/// deadline and retries of Caller::Call.
 template <typename Stub, typename Request, typename Response, typename Take>
 Status ForEachPage(Caller& caller, grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
                    Request request, Take take, Again again = Again::kYes) {
@@ -18,7 +18,7 @@ Status ForEachPage(Caller& caller, grpc::Status (Stub::*method)(grpc::ClientCont
   }
 }
 
-/// All pages put together.
+/// All pages, joined.
 template <typename Stub, typename Request, typename Response>
 Result<Response> ReadAllPages(Caller& caller,
                               grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),

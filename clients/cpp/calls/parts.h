@@ -13,11 +13,11 @@
 
 namespace dhpmap::client {
 
-/// The answer to one request, part by part. For one thread, but Cancel.
+/// The answer to one request, in parts. For one thread, except Cancel.
 template <typename Part>
 class Parts {
  public:
-  /// `introduce(context)` says who calls, `begin(&context)` makes the call.
+  /// `introduce(context)` adds the credentials, `begin(&context)` starts the call.
   template <typename Introduce, typename Begin>
   Parts(std::string address, Introduce introduce, Begin begin) : address_(std::move(address)) {
     introduce(context_);
@@ -27,10 +27,10 @@ class Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Waits for the next one; false: there are no more, and Finish says why.
+  /// Waits for the next part; false: there are no more, and Finish returns the status.
   bool Next(Part& part) { return reader_->Read(&part); }
   Status Finish() { return StatusOf(reader_->Finish(), address_); }
-  /// Ends it: Next, also one that waits, has no more. Safe from any thread.
+  /// Cancels the call: Next returns no more parts, even if it is waiting. Callable from any thread.
   void Cancel() { context_.TryCancel(); }
 
  private:

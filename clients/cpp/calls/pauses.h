@@ -11,7 +11,7 @@ namespace dhpmap::client {
 
 using Clock = std::chrono::steady_clock;
 
-/// Seconds as steady clocks count them; a year at most, so that sums fit.
+/// Seconds as a duration of the steady clock; at most a year, so that sums do not overflow.
 inline Clock::duration Seconds(double s) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::clamp(s, 0.0, 3.2e7)));
 }
@@ -23,7 +23,7 @@ inline gpr_timespec GrpcTime(Clock::time_point end) {
                       gpr_time_from_micros(std::max<std::int64_t>(left, 0), GPR_TIMESPAN));
 }
 
-/// How long to wait before each attempt after the first: longer each time, up to 2 s.
+/// Pauses between retries: each longer than the last, up to 2 s.
 class Pauses {
  public:
   Clock::duration Next() {

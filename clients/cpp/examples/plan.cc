@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans the path of a robot of spheres through a mapped apartment. Then moves a sofa into its way, learns of it by a
-// watch, and plans again.
+// Plans the path of a robot made of spheres through a mapped apartment. Then moves a sofa into its way, receives the
+// change through a watch, and plans again.
 //   plan ADDRESS MAP START_X START_Y GOAL_X GOAL_Y
-// Prints a line a path: the map's revision, then x, y and yaw of each waypoint.
+// Prints one line per path: the map's revision, then x, y and yaw of each waypoint.
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
@@ -136,7 +136,7 @@ int BlockAndPlanAgain(const dc::Map& map, const Way& way, const Place& start, co
     const auto edited = edit.Apply();
     if (!edited.ok()) return Fail(edited.status());
 
-    for (std::int64_t told = 0; told < edited->revision;) {  // learned from the watch, as another client would
+    for (std::int64_t told = 0; told < edited->revision;) {  // received from the watch, as in another client
       const auto change = watch.Next();
       if (!change.ok()) return Fail(change.status());
       told = (*change)->revision;

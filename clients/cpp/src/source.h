@@ -40,7 +40,7 @@ class Source {
 /// Sends each query as one call.
 std::shared_ptr<Source> MakeCalledSource(std::shared_ptr<Caller> caller, std::string map,
                                          std::int64_t read_revision = 0);
-/// The same, of the state that the server which is asked has: see Map::Eventual.
+/// The same for the state that the contacted server has: see Map::Eventual.
 std::shared_ptr<Source> MakeEventualSource(std::shared_ptr<Caller> caller, std::string map);
 
 }  // namespace dhpmap::client

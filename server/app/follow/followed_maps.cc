@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-/// Who uses a copy at this rate keeps it, however many want others.
+/// A copy that was read within this time is not evicted to make room for another.
 constexpr std::chrono::seconds kInUse{10};
 
 Status NoRoom() {
@@ -51,7 +51,7 @@ void FollowedMaps::Stop() {
     const MutexLock lock(listener_->mutex);
     listener_->maps = nullptr;
   }
-  std::map<std::string, CopyPtr> gone;  // after the mutex, here and below: freeing a map takes long
+  std::map<std::string, CopyPtr> gone;  // freed after the mutex is released, here and below: freeing a map takes long
   {
     const MutexLock lock(mutex_);
     is_stopping_ = true;
@@ -89,14 +89,14 @@ Result<FollowedMaps::CopyPtr> FollowedMaps::FindOrAdd(const std::string& name) {
   if (found == copies_.end()) {
     if (copies_.size() >= options_.max_maps && (gone = TakeLeastUsed(nullptr)) == nullptr) return NoRoom();
     found = copies_.emplace(name, std::make_shared<Copy>(budget_)).first;
-    is_interest_new_ = true;  // before it is read, so that no commit after that is missed
+    is_interest_new_ = true;  // set before the map is read, so that no later commit is missed
     wake_.NotifyOne();
   }
   found->second->last_used = Clock::now();
   return found->second;
 }
 
-/// The first time. Null: it was dropped while we waited for who reads it.
+/// Reads a copy for the first time. Null: the copy was dropped while this call waited for another reader.
 Result<FollowedMaps::View> FollowedMaps::Read(const std::string& name, Copy& copy) {
   const MutexLock busy(copy.busy);
   {
@@ -115,7 +115,7 @@ Result<FollowedMaps::View> FollowedMaps::Read(const std::string& name, Copy& cop
   auto view = std::make_shared<const MapView>(copy.state.snapshot);
   const MutexLock lock(mutex_);
   copy.view = view;
-  copy.is_behind = true;  // what was committed before the fleet knew of our interest
+  copy.is_behind = true;  // a commit may have come before the fleet knew of our interest
   wake_.NotifyOne();
   return View(std::move(view));
 }

@@ -22,46 +22,46 @@ struct FollowOptions {
   std::size_t max_maps = 64;
   std::size_t max_bytes = std::size_t{2} << 30;         ///< of all copies
   std::chrono::duration<double> idle_drop_s{600};       ///< unused copies are dropped after this; 0: never
-  std::chrono::milliseconds look_every{2000};           ///< even if the fleet tells of no commit
-  std::function<std::vector<std::string>()> watched{};  ///< maps that the fleet is to tell of, too; may be empty
-  std::function<void(const std::string&)> on_commit{};  ///< the fleet tells of one; quick; may be empty
-  /// A copy has gone on; quick, on the following thread; may be empty.
+  std::chrono::milliseconds look_every{2000};           ///< longest time between two checks of a copy
+  std::function<std::vector<std::string>()> watched{};  ///< further maps whose commits the fleet reports; may be empty
+  std::function<void(const std::string&)> on_commit{};  ///< the fleet reports a commit; quick; may be empty
+  /// A copy has reached a newer state; quick, on the following thread; may be empty.
   std::function<void(const std::shared_ptr<const MapSnapshot>&)> on_state{};
 };
 
-/// Copies of maps that other processes of a fleet write. Each goes on, from committed state to committed state, as soon
-/// as the fleet tells of a commit, on one thread for all. Thread-safe.
+/// Copies of maps that other processes of a fleet write. When the fleet reports a commit, one thread for all copies
+/// reads the next committed state. Thread-safe.
 class FollowedMaps {
  public:
   using View = std::shared_ptr<const MapView>;
   using Clock = std::chrono::steady_clock;
 
-  /// Both outlive it, or Stop(). Nobody else calls `fleet`'s OnChange, MeasureFollowing and SetFollowed.
+  /// Both outlive it, or Stop(). It alone calls `fleet`'s OnChange, MeasureFollowing and SetFollowed.
   FollowedMaps(MapStore& store, Fleet& fleet, FollowOptions options);
-  /// Stop().
+  /// Calls Stop().
   ~FollowedMaps();
   FollowedMaps(const FollowedMaps&) = delete;
   FollowedMaps& operator=(const FollowedMaps&) = delete;
 
-  /// The present state of the copy; the first call reads the map, which blocks. Its revision never falls while the map
-  /// keeps its history. One before revision `at_least` goes on first, to what is committed. Errors of
-  /// MapStore::LoadMap; RESOURCE_EXHAUSTED, reason TOO_BUSY, if there is no room for one more copy; UNAVAILABLE after
+  /// The present state of the copy. The first call reads the map, which blocks. The revision never falls while the map
+  /// keeps its history. A copy older than revision `at_least` is updated first, to the last committed state. Errors:
+  /// those of MapStore::LoadMap; RESOURCE_EXHAUSTED, reason TOO_BUSY, if one more copy does not fit; UNAVAILABLE after
   /// Stop().
   Result<View> ViewOf(const std::string& name, std::int64_t at_least = 0) DHPMAP_EXCLUDES(mutex_);
-  /// The same if there is a copy already, which does not count as use; else null.
+  /// The state of an existing copy, else null. Does not count as use.
   [[nodiscard]] View Find(const std::string& name) const DHPMAP_EXCLUDES(mutex_);
-  /// For a map that is gone, or that this process writes from now on. Views stay valid.
+  /// Drops the copy of a map that was deleted, or that this process writes from now on. Views stay valid.
   void Drop(const std::string& name) DHPMAP_EXCLUDES(mutex_);
-  /// Drops the copies that are idle at `now`, as the thread does by itself.
+  /// Drops the copies that are idle at `now`. The thread does this by itself, too.
   void DropIdle(Clock::time_point now) DHPMAP_EXCLUDES(mutex_);
 
-  /// What FollowOptions::watched returns has changed. Quick.
+  /// Call it when the result of FollowOptions::watched has changed. Quick.
   void NoteWatched() DHPMAP_EXCLUDES(mutex_);
-  /// Ends the thread; the fleet calls nothing any more.
+  /// Ends the thread. The fleet makes no further calls to it.
   void Stop() DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] std::size_t num_maps() const DHPMAP_EXCLUDES(mutex_);
-  /// Memory of the copies.
+  /// Memory of the copies, in bytes.
   [[nodiscard]] std::size_t bytes() const { return budget_.used_bytes(); }
   /// As of `now`. A copy whose first state is still being read is not behind.
   [[nodiscard]] FollowingState StateAt(Clock::time_point now) const DHPMAP_EXCLUDES(mutex_);
@@ -69,7 +69,7 @@ class FollowedMaps {
  private:
   struct Copy {
     explicit Copy(ByteBudget& budget) : share(&budget) {}
-    Mutex busy;  ///< held by who reads the store for it; locked before mutex_
+    Mutex busy;  ///< held while the store is read for this copy; locked before mutex_
     StateToRead state DHPMAP_GUARDED_BY(busy);
     ByteShare share DHPMAP_GUARDED_BY(busy);
     View view DHPMAP_GUARDED_BY(&FollowedMaps::mutex_);  ///< null: not read yet
@@ -81,7 +81,7 @@ class FollowedMaps {
     Clock::time_point last_used DHPMAP_GUARDED_BY(&FollowedMaps::mutex_);
     Clock::time_point look_at DHPMAP_GUARDED_BY(&FollowedMaps::mutex_);
   };
-  /// What the fleet's callback holds: it may outlive this.
+  /// The fleet's callback holds this; it may outlive the FollowedMaps.
   struct Listener {
     Mutex mutex;
     FollowedMaps* maps DHPMAP_GUARDED_BY(mutex);
@@ -112,8 +112,8 @@ class FollowedMaps {
   std::map<std::string, CopyPtr> copies_ DHPMAP_GUARDED_BY(mutex_);
   bool is_interest_new_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_stopping_ DHPMAP_GUARDED_BY(mutex_) = false;
-  std::vector<std::string> told_;  ///< to the fleet; the thread's alone
-  std::thread thread_;             // last: it uses the others
+  std::vector<std::string> told_;  ///< names last passed to the fleet; used by the thread alone
+  std::thread thread_;             // last: it uses the other members
 };
 
 }  // namespace dhpmap

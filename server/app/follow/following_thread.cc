@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The thread of FollowedMaps: copies go on when something was committed.
+// The thread of FollowedMaps. It updates the copies after commits.
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// After the store did not answer.
+/// Pause after the store did not answer.
 constexpr std::chrono::milliseconds kTryAgain{250};
 
 }  // namespace
@@ -76,7 +76,7 @@ void FollowedMaps::TellInterest() {
   fleet_.SetFollowed(std::move(names));
 }
 
-/// Takes the copies with a known new commit, and those whose last check is long ago.
+/// Takes the copies with a known new commit, and those that were not checked for long.
 std::vector<std::pair<std::string, FollowedMaps::CopyPtr>> FollowedMaps::TakeDue() {
   const auto now = Clock::now();
   std::vector<std::pair<std::string, CopyPtr>> due;
@@ -90,7 +90,7 @@ std::vector<std::pair<std::string, FollowedMaps::CopyPtr>> FollowedMaps::TakeDue
   return due;
 }
 
-/// A copy that cannot go on is dropped: who reads it next is told why, or has it anew.
+/// Drops a copy that cannot be updated. The next read then loads the map again, or returns the error.
 void FollowedMaps::GoOn(const std::string& name, Copy& copy) {
   const auto gone_on = Guarded<Status>([&]() -> Status {
     const MutexLock busy(copy.busy);

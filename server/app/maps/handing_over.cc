@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps that go to other processes on the same store: given, or taken.
+// Handing maps over to other processes on the same store, and losing maps to them.
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// NOT_FOUND; FAILED_PRECONDITION if it takes no maps.
+/// NOT_FOUND; FAILED_PRECONDITION if the server takes no maps.
 Result<FleetServer> FindTaker(Fleet& fleet, std::int64_t id) {
   DHPMAP_ASSIGN_OR_RETURN(const std::vector<FleetServer> servers, fleet.ListServers());
   const auto found = std::find_if(servers.begin(), servers.end(), [&](const auto& server) { return server.id == id; });
@@ -20,7 +20,7 @@ Result<FleetServer> FindTaker(Fleet& fleet, std::int64_t id) {
   return FailedPrecondition("server " + std::to_string(id) + (found->is_alive ? " is shutting down" : " is dead"));
 }
 
-/// Living ones but this one that take maps, with the fewest maps first. None if the database does not answer.
+/// Other living servers that take maps, those with the fewest maps first. Empty if the database does not answer.
 std::vector<FleetServer> FindTakers(Fleet& fleet) {
   std::vector<FleetServer> takers;
   const auto servers = fleet.ListServers();
@@ -44,7 +44,7 @@ Status MapRegistry::HandOver(const std::string& name, std::int64_t to_server) {
     if (taker.is_me) return Status::Ok();
   }
   const Place place(*this, name);
-  const MutexLock busy(place->busy);  // who wants the map meanwhile waits, and then asks whose it is
+  const MutexLock busy(place->busy);  // callers that need the map wait, and then ask for its owner
   MoveAway(name, *place, NotOwner(name, taker.address));
   return fleet->GiveUp(name, to_server);
 }
@@ -65,7 +65,7 @@ Status MapRegistry::HandAllOver() {
     }
     const std::string name = open_map->View()->snapshot().info().name;
     Status given = HandOver(name, to);
-    if (!given.ok() && to != 0) given = HandOver(name, 0);  // that server has gone meanwhile
+    if (!given.ok() && to != 0) given = HandOver(name, 0);  // that server has ended meanwhile
     if (!given.ok()) outcome = std::move(given);
   }
   return outcome;
@@ -81,7 +81,7 @@ void MapRegistry::MoveAway(const std::string& name, Entry& entry, const Status& 
     summaries_.Forget(name);
   }
   if (open_map == nullptr) return;
-  (void)open_map->MoveAway(why);  // what cannot be stored was not acknowledged, and comes again
+  (void)open_map->MoveAway(why);  // unstored frames were not acknowledged: clients send them again
   open_map.reset();
   surfaces_.Forget(name);
   changes_.Notify(name);
@@ -91,7 +91,7 @@ void MapRegistry::NoteLoss(const std::string& name) {
   const MutexLock lock(mutex_);
   const auto found = entries_.find(name);
   if (found == entries_.end()) return;
-  found->second->is_lost = true;  // if it is being loaded, what comes of it, too
+  found->second->is_lost = true;  // also marks a map that is being loaded
   lost_names_.insert(name);
   closer_wake_.NotifyAll();
 }
@@ -108,7 +108,7 @@ void MapRegistry::CloseLostMaps() {
     std::shared_ptr<OpenMap> open_map;
     {
       const MutexLock lock(mutex_);
-      if (place->is_lost) open_map = place->open_map;  // else it was closed, or loaded anew, meanwhile
+      if (place->is_lost) open_map = place->open_map;  // else it was closed or loaded again meanwhile
       lost_names_.erase(name);
     }
     if (open_map == nullptr) continue;

@@ -26,7 +26,7 @@ std::int64_t Now(const OpenMapOptions& options) {
 
 /// All maps share one thread pool, one set of slots, and one budget of past states.
 OpenMapOptions WithShared(OpenMapOptions options) {
-  // Nicer than threads of quick calls, less nice than those of bulk calls.
+  // Lower priority than quick calls, higher than bulk calls.
   constexpr int kFusionNiceness = 5;
   MappingOptions& mapping = options.mapping;
   if (mapping.pool == nullptr) mapping.pool = std::make_shared<ThreadPool>(mapping.num_threads, kFusionNiceness);
@@ -42,7 +42,7 @@ MapSummary SummaryOf(StoredMap map) {
   return {.info = std::move(map.info), .num_submaps = map.num_submaps, .damage = std::move(map.damage)};
 }
 
-/// Of one map, and not of the store as a whole: the map is there.
+/// Damage of one map, not of the whole store: the map exists.
 bool IsDamage(const Status& status) {
   return status.code() == StatusCode::kDataLoss || status.code() == StatusCode::kFailedPrecondition;
 }
@@ -188,7 +188,7 @@ Result<std::int64_t> MapRegistry::Delete(const std::string& name, const std::str
     summaries_.Forget(name);
   }
   changes_.Notify(name);
-  if (open_map) (void)open_map->Stop();  // here, because none of the map's own threads may have to join itself
+  if (open_map) (void)open_map->Stop();  // here, because a map's own thread must not join itself
   open_map.reset();
   surfaces_.Forget(name);
   return revision;

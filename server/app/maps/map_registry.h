@@ -53,8 +53,8 @@ struct ImportRequest {
   std::function<Status(const std::string& name)> check_name = {};
 };
 
-/// Reserves a name while its map is added to the store, which shows it: no other map of this process gets it. Released
-/// by the destructor. Movable.
+/// Reserves a name while its map is being added to the store, which already shows it. No other map of this process gets
+/// the name. The destructor releases it. Movable.
 class HeldName {
  public:
   HeldName(MapRegistry& registry, std::string name) : registry_(&registry), name_(std::move(name)) {}
@@ -76,8 +76,8 @@ class HeldName {
 };
 
 /// All maps of a store. A map is loaded on the first access beyond its summary, and closed after
-/// RegistryOptions::idle_close_s without access. Of closed maps the store is asked; where no other process writes it,
-/// the last answers are kept. Thread-safe; no call on one map waits for another map.
+/// RegistryOptions::idle_close_s without access. Summaries of closed maps come from the store; if no other process
+/// writes it, they are cached. Thread-safe; no call on one map waits for another map.
 class MapRegistry {
  public:
   using Clock = std::chrono::steady_clock;
@@ -85,7 +85,7 @@ class MapRegistry {
   /// Takes as long for many maps as for few. The store outlives the registry, which is its only writer in this process.
   static Result<std::unique_ptr<MapRegistry>> Open(MapStore& store, OpenMapOptions map_options,
                                                    const RegistryOptions& options = {});
-  /// Shutdown().
+  /// Calls Shutdown().
   ~MapRegistry();
 
   /// Adds a map with `info`'s name, display name, config (must be valid) and label set. INVALID_ARGUMENT for a bad
@@ -107,9 +107,9 @@ class MapRegistry {
   /// The open map; loads it if necessary, which blocks. Returns errors of MapStore::LoadMap; the next call tries again.
   /// RESOURCE_EXHAUSTED, reason TOO_BUSY, while it is repaired.
   Result<std::shared_ptr<OpenMap>> GetOpen(const std::string& name);
-  /// Whether it may be the name of a map, which then is not open: access waits for the store. Never waits itself.
+  /// Whether it may be the name of a map that is not open: an access then waits for the store. Never waits itself.
   [[nodiscard]] bool MustLoad(const std::string& name) const;
-  /// Whether other processes write the store, too: then it is far, and even a summary may take long.
+  /// Whether other processes write the store, too. It is then remote, and even a summary may take long.
   [[nodiscard]] bool SharesStore() const { return store_.fleet() != nullptr; }
   /// The last published state of the map; opens it if necessary.
   Result<std::shared_ptr<const MapView>> ViewOf(const std::string& name);
@@ -117,22 +117,22 @@ class MapRegistry {
   /// the revision. Opens the map if necessary.
   Result<std::shared_ptr<const MapView>> ViewAt(const std::string& name, std::int64_t revision,
                                                 const std::string& field);
-  /// The state of the map that this process has, which may not be the owner's last one: where it is open here, the last
-  /// published one; else that of a copy, which is made if necessary (see FollowedMaps::ViewOf). Without a fleet,
+  /// The state of the map that this process has, which may be older than the owner's. If the map is open here, its last
+  /// published state; else that of a copy, which is made if necessary (see FollowedMaps::ViewOf). Without a fleet,
   /// ViewOf.
   Result<std::shared_ptr<const MapView>> EventualViewOf(const std::string& name, std::int64_t at_least = 0);
   /// Whether EventualViewOf has to read the map first.
   [[nodiscard]] bool MustLoadForEventual(const std::string& name) const;
-  /// Like Get, from the state of EventualViewOf if it is there; reads no map for it.
+  /// Like Get, from the state of EventualViewOf if that is in memory; does not read the map for it.
   Result<MapSummary> GetEventual(const std::string& name) const;
-  /// Copies of maps that others write; null without a fleet.
+  /// Copies of maps that other processes write; null without a fleet.
   [[nodiscard]] const FollowedMaps* followed() const { return followed_.get(); }
   /// Stored changes of the maps. Reading them opens no map.
   [[nodiscard]] ChangeFeed& changes() { return changes_; }
   [[nodiscard]] const ChangeFeed& changes() const { return changes_; }
   /// For distance queries, over all maps.
   [[nodiscard]] SurfaceCache& surfaces() { return surfaces_; }
-  /// Their memory.
+  /// Memory of the cached surfaces.
   [[nodiscard]] std::size_t surface_bytes() const { return surfaces_.bytes() + surfaces_.cell_bytes(); }
   /// See MapStore::ListEdits. Opens no map.
   Result<std::vector<LoggedEdit>> ListEdits(const std::string& name, const EditQuery& query) {
@@ -155,12 +155,12 @@ class MapRegistry {
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) {
     return outgoing_.Open([&] { return exports_->Open(ExportKind::kBackup, "", [&] { return store_.Backup(stop); }); });
   }
-  /// Progress of exports and backups. Knows maps only by name.
+  /// Progress of exports and backups. Identifies maps by name only.
   [[nodiscard]] const RunningExports& exports() const { return *exports_; }
   /// Writer job that restores the map, or an object of it, to a revision; see RestoreRevision. Opens the map.
   Result<std::function<Result<EditMade>(Map&)>> RestorationOf(const std::string& name, RestoreRequest request);
-  /// See MapStore::VerifyMap. Does not repair an open map, because all of it could be read; with evicted tiles that is
-  /// not certain, so a damaged one is closed first if it is unused.
+  /// See MapStore::VerifyMap. An open map is not repaired, because it was read without errors. With eviction this is
+  /// not certain, so a damaged open map is closed first if it is unused.
   Result<VerifyReport> Verify(const std::string& name, bool repair, const std::stop_token& stop);
   /// Bytes of encoded blocks in the store.
   Result<std::int64_t> DiskBytes(const std::string& name);
@@ -176,12 +176,12 @@ class MapRegistry {
   /// while one of its views may have to read from the store.
   void CloseIdleMaps(Clock::time_point now);
 
-  // Only where several processes share the store: else FAILED_PRECONDITION, reason NO_FLEET.
-  /// Stores and closes the map if it is open, and gives it to a server, or (0) to whoever asks first: see
-  /// Fleet::GiveUp. Its streams end with NOT_OWNER. NOT_FOUND for no such server, FAILED_PRECONDITION if that server is
-  /// dead or drains; then nothing has changed. OK if the map is not ours. Blocks.
+  // Only for stores that several processes share: else FAILED_PRECONDITION, reason NO_FLEET.
+  /// Stores and closes the map if it is open, and passes it to a server, or with 0 to the first server that asks for
+  /// it: see Fleet::GiveUp. Its streams end with NOT_OWNER. NOT_FOUND for an unknown server, FAILED_PRECONDITION for
+  /// one that is dead or drains; nothing has changed then. OK if this process does not own the map. Blocks.
   Status HandOver(const std::string& name, std::int64_t to_server);
-  /// Takes no more maps, and hands the open ones over to the other servers, evenly. Blocks.
+  /// Takes no more maps, and distributes the open ones evenly over the other servers. Blocks.
   Status HandAllOver();
 
   /// Stops all open maps: see OpenMap::Stop. They can still be read; others can no longer be opened (UNAVAILABLE).
@@ -199,15 +199,15 @@ class MapRegistry {
   struct Entry {
     Mutex busy;  ///< held while the map is loaded or deleted; locked before the registry's mutex
     int num_places DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = 0;
-    bool is_lost DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;      ///< what is open is another process's now
-    bool is_repaired DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;  ///< may take minutes: callers do not wait for it
+    bool is_lost DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;      ///< another process owns the map now
+    bool is_repaired DHPMAP_GUARDED_BY(&MapRegistry::mutex_) = false;  ///< takes long: callers are refused
     std::shared_ptr<OpenMap> open_map DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
     std::shared_ptr<const LostRevisions> lost_revisions DHPMAP_GUARDED_BY(&MapRegistry::mutex_);  ///< of the open map
     Clock::time_point last_used DHPMAP_GUARDED_BY(&MapRegistry::mutex_);
   };
 
-  /// Finds the entry of a name, or adds one, and keeps it. At the end an entry without an open map goes with the last
-  /// place that has it. Declared before the lock of `busy`, so that it ends after it.
+  /// Finds or adds the entry of a name and keeps it. The destructor of the last place removes an entry without an open
+  /// map. Declare it before the lock of `busy`, so that the lock is released first.
   class Place {
    public:
     Place(MapRegistry& registry, const std::string& name);
@@ -226,11 +226,11 @@ class MapRegistry {
   MapRegistry(MapStore& store, OpenMapOptions map_options, const RegistryOptions& options);
   /// Null if it is not open.
   [[nodiscard]] std::shared_ptr<OpenMap> FindOpen(const std::string& name) const;
-  /// Of a closed map. Errors as MapStore::GetMap.
+  /// Asks the store about a closed map. Errors as MapStore::GetMap.
   Result<MapInStore> AskStore(const std::string& name) const;
   /// NOT_FOUND, with a suggestion from the first names of the store.
   [[nodiscard]] Status NoSuchMapAmongThese(const std::string& name) const;
-  /// The same in place of a NOT_FOUND; all else as it is.
+  /// The same in place of a NOT_FOUND; returns other errors unchanged.
   [[nodiscard]] Status WithSuggestion(const Status& status, const std::string& name) const;
   [[nodiscard]] Status CheckIsFree(const std::string& name) const;
   [[nodiscard]] Status CheckIsNotThere(const std::string& name) const;
@@ -247,10 +247,10 @@ class MapRegistry {
   /// Closes it unless it was used after `used_until`.
   void CloseIfAtRest(Entry& entry, Clock::time_point used_until, Closing closing);
   void CloserLoop();
-  /// Another process has taken the map, or deleted it. Quick.
+  /// Another process has taken or deleted the map. Quick.
   void NoteLoss(const std::string& name);
   void CloseLostMaps();
-  /// Its streams end with `why`. No effect if it is not open.
+  /// Stops the open map, whose streams end with `why`. No effect if it is not open.
   void MoveAway(const std::string& name, Entry& entry, const Status& why) DHPMAP_REQUIRES(entry.busy);
   /// Opens the entry; null if the registry is shut down.
   std::shared_ptr<OpenMap> Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot,
@@ -273,7 +273,7 @@ class MapRegistry {
   std::map<std::string, std::shared_ptr<Entry>> entries_ DHPMAP_GUARDED_BY(mutex_);
   std::set<std::string> held_names_ DHPMAP_GUARDED_BY(mutex_);
   mutable SummaryCache summaries_ DHPMAP_GUARDED_BY(mutex_);    ///< of closed maps
-  std::set<std::string> lost_names_ DHPMAP_GUARDED_BY(mutex_);  ///< to be closed by the closer
+  std::set<std::string> lost_names_ DHPMAP_GUARDED_BY(mutex_);  ///< maps that the closer has to close
   bool is_shut_down_ DHPMAP_GUARDED_BY(mutex_) = false;
   CondVar closer_wake_;
   LazyThread closer_;  // joined by Shutdown

@@ -13,13 +13,13 @@ Result<VerifyReport> MapRegistry::Verify(const std::string& name, bool repair, c
     return report;
   }
   const Place place(*this, name);
-  // That a map is open says nothing of voxels that nobody has read yet.
+  // An open map may be damaged in voxels that were not read yet.
   if (map_options_.pages.budget_bytes > 0 && FindOpen(name) != nullptr) {
     auto looked_at = store_.VerifyMap(name, !kRepair, stop);
     if (!looked_at.ok() || looked_at->num_faults == 0) return looked_at;
     CloseIfAtRest(*place, Clock::time_point::max(), Closing::kEvenViewed);
   }
-  const MutexLock busy(place->busy);  // nobody opens it meanwhile
+  const MutexLock busy(place->busy);  // the map cannot be opened meanwhile
   bool is_open = false;
   {
     const MutexLock lock(mutex_);

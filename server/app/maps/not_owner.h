@@ -7,7 +7,7 @@
 
 namespace dhpmap {
 
-/// The error for work on a map that another process writes. `address`: of that one; may be empty.
+/// The error for work on a map that another process owns. `address`: the owner's; may be empty.
 inline Status NotOwner(const std::string& map, const std::string& address) {
   Status status = Unavailable("map '" + map + "' is written by another server now").WithReason("NOT_OWNER");
   return address.empty() ? status : std::move(status).WithMetadata("owner", address);

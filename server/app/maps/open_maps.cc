@@ -41,10 +41,10 @@ Result<std::shared_ptr<OpenMap>> MapRegistry::GetOpen(const std::string& name) {
 Result<std::shared_ptr<OpenMap>> MapRegistry::Load(const std::string& name, Entry& entry) {
   {
     const MutexLock lock(mutex_);
-    entry.is_lost = false;  // before it is taken: from then on it may be lost again
+    entry.is_lost = false;  // before loading: from then on the map may be lost again
   }
   DHPMAP_ASSIGN_OR_RETURN(std::shared_ptr<const MapSnapshot> snapshot, store_.LoadMap(name));
-  // Afterwards: who takes a map from another process may leave numbers of it.
+  // After loading: taking a map from another process may leave lost numbers behind.
   DHPMAP_ASSIGN_OR_RETURN(MapInStore stored, AskStore(name));
   auto open_map = Install(entry, std::move(snapshot), std::move(stored.lost_revisions));
   if (open_map == nullptr) return ShuttingDown();
@@ -136,7 +136,7 @@ void MapRegistry::CloserLoop() {
     lock.Unlock();
     TellSafely([this] { CloseLostMaps(); });
     if (Clock::now() >= next) {
-      if (closes_idle) TellSafely([this] { CloseIdleMaps(Clock::now()); });  // if memory has run out, next time
+      if (closes_idle) TellSafely([this] { CloseIdleMaps(Clock::now()); });  // tried again if memory runs out
       TellSafely([this] { KeepPagesInBounds(); });
       next = Clock::now() + period;
     }
@@ -168,10 +168,10 @@ void MapRegistry::CloseIfAtRest(Entry& entry, Clock::time_point used_until, Clos
   std::shared_ptr<OpenMap> open_map;
   {
     const MutexLock lock(mutex_);
-    const bool is_held = entry.open_map.use_count() != 1;  // new users must come through this registry, under this lock
+    const bool is_held = entry.open_map.use_count() != 1;  // new users need the registry's lock
     if (is_shut_down_ || !entry.open_map || is_held || entry.last_used > used_until) return;
     if (!entry.open_map->IsAtRest()) return;
-    // Unread parts of a viewed state disappear with the next change, unless that is made in this open map.
+    // A viewed state would lose its unread parts with the next change, unless this open map makes the change.
     if (closing == Closing::kIfNotViewed && map_options_.pages.budget_bytes > 0 && entry.open_map->IsViewed()) return;
     MapSummary last = SummaryOf(entry.open_map->View()->snapshot());
     const std::string name = last.info.name;
@@ -183,7 +183,7 @@ void MapRegistry::CloseIfAtRest(Entry& entry, Clock::time_point used_until, Clos
   const std::string name = open_map->View()->snapshot().info().name;
   open_map.reset();
   surfaces_.Forget(name);
-  if (Fleet* const fleet = store_.fleet()) (void)fleet->GiveUp(name, 0);  // else it stays ours, closed
+  if (Fleet* const fleet = store_.fleet()) (void)fleet->GiveUp(name, 0);  // on an error it stays ours, closed
 }
 
 std::shared_ptr<OpenMap> MapRegistry::Install(Entry& entry, std::shared_ptr<const MapSnapshot> snapshot,
@@ -198,7 +198,7 @@ std::shared_ptr<OpenMap> MapRegistry::Install(Entry& entry, std::shared_ptr<cons
   options.commit.on_commit = [this, name, tell = std::move(options.commit.on_commit)](double seconds,
                                                                                       const Status& outcome) {
     if (tell) tell(seconds, outcome);
-    // The store has what was served here of another state, see CommitWorker::loss: the map is loaded anew.
+    // The store holds another state than the one served here, see CommitWorker::loss: load the map again.
     if (outcome.reason() == Reason("STALE_REVISION")) NoteLoss(name);
   };
   auto open_map = std::make_shared<OpenMap>(std::move(snapshot), store_, std::move(options));

@@ -43,8 +43,8 @@ struct ExportNews {
 };
 
 /// Running exports and the ends of recent ones, for watchers. Changes are numbered, so a watcher is a number, not a
-/// queue; byte counts are no changes but can be polled. Bounded by the number of concurrent exports and kMaxEnded.
-/// Thread-safe.
+/// queue. Byte counts are not changes, but watchers can poll them. Bounded by the number of concurrent exports and
+/// kMaxEnded. Thread-safe.
 class RunningExports : public std::enable_shared_from_this<RunningExports> {
  public:
   using Clock = std::chrono::steady_clock;

@@ -14,17 +14,17 @@
 
 namespace dhpmap {
 
-/// What a store says of a map.
+/// The store's data of a map.
 struct MapInStore {
   MapSummary summary;
   std::shared_ptr<const LostRevisions> lost_revisions;  ///< not null
 };
 
-/// What the store has said of closed maps, the last used ones. An answer is added only if no map has changed since it
-/// was asked for: take number() before. Thread-compatible.
+/// The store's last answers about closed maps; keeps the most recently used. An answer is added only if no map has
+/// changed since the request: call number() before it. Thread-compatible.
 class SummaryCache {
  public:
-  /// 0: keeps nothing.
+  /// 0: caches nothing.
   explicit SummaryCache(std::size_t max_maps) : max_maps_(max_maps) {}
 
   /// Null: ask the store. Valid until the next call of another function.
@@ -34,9 +34,9 @@ class SummaryCache {
     maps_.splice(maps_.begin(), maps_, found->second);
     return &found->second->second;
   }
-  /// Of changes.
+  /// Number of changes so far.
   [[nodiscard]] std::uint64_t number() const { return number_; }
-  /// `number`: from before the store was asked.
+  /// `number`: from before the request to the store.
   void Add(const std::string& name, MapInStore map, std::uint64_t number) {
     if (max_maps_ == 0 || number != number_ || by_name_.contains(name)) return;
     maps_.emplace_front(name, std::move(map));
@@ -45,7 +45,7 @@ class SummaryCache {
     by_name_.erase(maps_.back().first);
     maps_.pop_back();
   }
-  /// The map changes, or is no longer closed.
+  /// Call it when the map changes or is opened.
   void Forget(const std::string& name) {
     ++number_;
     const auto found = by_name_.find(name);
@@ -58,7 +58,7 @@ class SummaryCache {
   using Maps = std::list<std::pair<std::string, MapInStore>>;
   const std::size_t max_maps_;
   std::uint64_t number_ = 0;
-  Maps maps_;  ///< the last used first
+  Maps maps_;  ///< most recently used first
   std::unordered_map<std::string, Maps::iterator> by_name_;
 };
 

@@ -34,16 +34,16 @@ void AdoptStored(const MapSnapshot& stored, const std::shared_ptr<const MapSnaps
   }
 }
 
-/// What the commit of an edit, and a state loaded after it, has not stored yet: see MapStore::CommitEdit.
+/// What the commit of an edit, and a loaded state after it, has not stored yet: see MapStore::CommitEdit.
 constexpr bool kLacksLeft = true;
 
 Status MapIsDeleted(const StateMarks& committed) {
   return NotFound("map '" + committed.info().name + "' has been deleted").WithReason("MAP_NOT_FOUND");
 }
 
-/// Why nothing more of this open map will ever be stored by this process, or OK. A store that holds another revision
-/// than the last commit left has made a commit whose answer was lost, and which was given up: an edit that the writer
-/// has taken back. Then the map is to be loaded anew, which shows the edit; clients come again as to another owner.
+/// The reason why this process will store nothing more of this open map, or OK. The store may hold another revision
+/// than the last commit left: then it has committed an edit whose answer was lost and which the writer has taken back.
+/// The map must be loaded again, which shows the edit; clients reconnect as after a change of the owner.
 Status LossBy(const Status& outcome) {
   if (outcome.reason() == Reason("NOT_OWNER") || outcome.reason() == Reason("MAP_NOT_FOUND")) return CopyOf(outcome);
   if (outcome.reason() != Reason("STALE_REVISION")) return Status::Ok();

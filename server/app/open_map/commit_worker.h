@@ -18,9 +18,9 @@ namespace dhpmap {
 /// Commits a map's published snapshots on its own thread, so that fusion never waits for the disk. Requests that arrive
 /// during a commit are merged into one commit of the newest snapshot. A failed commit changes nothing: the next one
 /// writes everything since the last stored state. Exceptions of the store count as failures, RESOURCE_EXHAUSTED for
-/// std::bad_alloc, else INTERNAL; exceptions of callbacks are dropped. Once the store says that the map is another
-/// process's (NOT_OWNER) or gone (MAP_NOT_FOUND), or that it holds another state (STALE_REVISION), nothing more is
-/// tried: all that is not stored is dropped. Thread-safe.
+/// std::bad_alloc, else INTERNAL; exceptions of callbacks are dropped. The worker gives up, and drops all unstored
+/// changes, if the store reports another owner (NOT_OWNER), a deleted map (MAP_NOT_FOUND), or another state
+/// (STALE_REVISION). Thread-safe.
 class CommitWorker {
  public:
   using Done = std::function<void(const Status&)>;
@@ -32,7 +32,7 @@ class CommitWorker {
   /// before all other callbacks.
   CommitWorker(MapStore& store, const std::shared_ptr<const MapSnapshot>& committed, double retry_s, Observer observer,
                Keeper keeper = {});
-  /// Stop().
+  /// Calls Stop().
   ~CommitWorker();
   CommitWorker(const CommitWorker&) = delete;
   CommitWorker& operator=(const CommitWorker&) = delete;
@@ -59,9 +59,9 @@ class CommitWorker {
   /// Whether the old place of its edit's object (MapSnapshot::leaving) is not stored yet; the next commit writes it.
   [[nodiscard]] bool lacks_left() const;
   [[nodiscard]] std::int64_t committed_frames() const;
-  /// Of the feed session's last stored frame; nothing if there is none.
+  /// The sequence of the feed session's last stored frame; nothing if there is none.
   [[nodiscard]] std::optional<std::int64_t> committed_sequence(const std::string& session) const;
-  /// Not OK: the map is another process's, or gone. Does not throw.
+  /// Not OK: another process owns the map, or the map was deleted. Does not throw.
   [[nodiscard]] Status loss() const;
   /// Outcome of the last commit: OK, or why the store is behind. Does not throw.
   [[nodiscard]] Status last_outcome() const;

@@ -76,7 +76,7 @@ class Committer {
   [[nodiscard]] double BehindSeconds() const;
   [[nodiscard]] std::int64_t stored_revision() const { return worker_.committed_revision(); }
   [[nodiscard]] std::int64_t stored_frames() const { return worker_.committed_frames(); }
-  /// Of the feed session's last stored frame; nothing if there is none.
+  /// The sequence of the feed session's last stored frame; nothing if there is none.
   [[nodiscard]] std::optional<std::int64_t> StoredSequence(const std::string& session) const {
     return worker_.committed_sequence(session);
   }

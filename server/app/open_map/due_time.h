@@ -10,7 +10,7 @@ namespace dhpmap {
 /// A deadline of the steady clock.
 using DueTime = std::chrono::steady_clock::time_point;
 
-/// Not negative, and years at most.
+/// `seconds` from now: at least 0, at most years.
 inline DueTime DueIn(double seconds) {
   using Clock = std::chrono::steady_clock;
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));

@@ -28,7 +28,7 @@ struct FrameOutcome {
   bool is_committed = false;   ///< everything up to this frame is stored
   Status commit_status;        ///< why the store is behind, if the last commit failed
   FrameCheck check = {};       ///< plausibility of the frame, refused or not; empty if it was not checked
-  bool is_duplicate = false;   ///< accepted before in its session: no effect, and the report is empty
+  bool is_duplicate = false;   ///< already accepted in its session: no effect, and the report is empty
   std::optional<std::int64_t> committed_sequence = std::nullopt;  ///< see FeedProgress
 };
 

@@ -81,7 +81,7 @@ void MapFinisher::Post(const std::shared_ptr<Call>& call, Done on_done, std::sto
     End(call);  // before the caller is informed
     TellSafely([&] { on_done(std::move(outcome)); });
   };
-  // While the job waits nobody checks the token. The callback is destroyed with the job, before the open map.
+  // Checks the token while the job waits. The callback is destroyed with the job, before the open map.
   using OnStop = std::stop_callback<std::function<void()>>;
   const auto on_stop = std::make_shared<OnStop>(stop, [call, done] {
     if (call->Take()) done(Guarded<Status>(NobodyWaitsForTheEnd));

@@ -12,7 +12,7 @@ namespace dhpmap {
 class NumberReserve {
  public:
   /// Size of a step; after a crash up to this many numbers are skipped. Half a step exceeds the use between two
-  /// commits: a busy scene creates and dissolves one or two things a frame.
+  /// commits: a busy scene creates and dissolves one or two things per frame.
   static constexpr std::int64_t kRevisionsAStep = 1000;
   static constexpr std::uint32_t kIdsAStep = 1000;
 

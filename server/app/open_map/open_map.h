@@ -30,7 +30,7 @@ namespace dhpmap {
 
 /// Options of fusion and refinement.
 struct MappingOptions {
-  int num_threads = 0;                         ///< of fusion; 0 = one a core
+  int num_threads = 0;                         ///< of fusion; 0 = one per core
   std::shared_ptr<ThreadPool> pool = nullptr;  ///< for fusion, shared with other maps; null: num_threads of its own
   /// Shared with other maps; null: unlimited.
   std::shared_ptr<RefinementSlots> refinement_slots = nullptr;
@@ -70,7 +70,7 @@ class OpenMap {
  public:
   /// `snapshot` is the stored state. The store outlives this.
   OpenMap(std::shared_ptr<const MapSnapshot> snapshot, MapStore& store, OpenMapOptions options);
-  /// Stop().
+  /// Calls Stop().
   ~OpenMap();
   OpenMap(const OpenMap&) = delete;
   OpenMap& operator=(const OpenMap&) = delete;
@@ -166,9 +166,9 @@ class OpenMap {
   void GiveUpMapping() { give_up_.request_stop(); }
   [[nodiscard]] bool HasGivenUpMapping() const { return give_up_.stop_requested(); }
 
-  /// Another process writes the map now, or will: Stop, but feeds end with `why`, which jobs are refused with, too.
+  /// Stops because another process writes the map now, or soon. Feeds end with `why`, and jobs are refused with it.
   Status MoveAway(const Status& why) DHPMAP_EXCLUDES(stop_mutex_);
-  /// Not OK: another process has taken the map, or deleted it; nothing more of it is stored here.
+  /// Not OK: another process has taken or deleted the map; this process stores nothing more of it.
   [[nodiscard]] Status loss() const { return committer_.loss(); }
 
   /// Ends the running job (cancelling a frame or a refinement), refuses queued and later ones with UNAVAILABLE, commits

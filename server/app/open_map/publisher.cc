@@ -11,7 +11,7 @@ Publisher::Publisher(Map& map, Committer& committer, PublishOptions options, con
     : map_(map),
       committer_(committer),
       options_(std::move(options)),
-      longest_preparation_s_(std::min(options_.delay_s, commit.delay_s)),  // nobody is informed of visibility
+      longest_preparation_s_(std::min(options_.delay_s, commit.delay_s)),  // visibility has no callback
       retry_s_(commit.retry_s),
       now_ns_(std::move(now_ns)),
       shown_(std::make_shared<VisibleSnapshot>(std::make_shared<const MapView>(map.published()), options_.prepare)) {}

@@ -63,8 +63,8 @@ class Map final : public Queries {
   Result<Pinned> Pin() const;
   /// The map at a recent revision.
   [[nodiscard]] Pinned At(std::int64_t revision) const;
-  /// The map as the server that is asked has it, where several share a store: a copy some tenths of a second behind the
-  /// server that writes it. Answers never go back in time; with min_revision they wait until the copy is there.
+  /// The map as the contacted server has it. If several servers share a database, that may be a copy some tenths of a
+  /// second behind its owner. Answers never go back in time; with min_revision they wait until the copy is there.
   [[nodiscard]] EventualMap Eventual() const;
   /// Queries on one stream.
   [[nodiscard]] client::Loop Loop() const;

@@ -20,11 +20,11 @@ struct ConnectOptions {
   std::string ca_file;     ///< PEM file of trusted CA certificates instead; implies TLS if not empty
   std::string cert_file;   ///< PEM files of a client certificate and its key, for servers that require one
   std::string key_file;
-  /// Of several servers on one database, calls about a map go to the one that owns it, once an answer has told which
-  /// that is and it can be reached from here; else all go by the first one.
+  /// If several servers share a database, calls about a map go to its owner once an answer has named it, provided that
+  /// it can be reached from here. All other calls go to the first server.
   bool to_owner = true;
   std::string token;       ///< your key, sent with each call; over TLS or to this machine only
-  std::string token_file;  ///< or a file that holds it, and that nobody but its owner may read
+  std::string token_file;  ///< or a file that holds it, readable only by its owner
 };
 
 /// How unobserved space counts.

@@ -66,7 +66,7 @@ class Queries {
   Result<client::Slice> Slice(const SliceOptions& options = {}) const;
   /// Distances at the nodes of a grid in a box, with spacing resolution_m (0.001 to 100) from its minimum corner.
   Result<DistanceGrid> Grid(const Box& box, double resolution_m, const QueryOptions& options = {}) const;
-  /// Which objects are on, in and next to which, sorted by subject, object and kind.
+  /// Which objects are on, in or next to others, sorted by subject, object and kind.
   Result<std::vector<Relation>> Relations(const RelationOptions& options = {}) const;
 
  protected:
@@ -91,8 +91,7 @@ class Pinned final : public Queries {
   std::int64_t revision_;
 };
 
-/// A map as the server that is asked has it: see Map::Eventual.
-/// Safe for use from several threads.
+/// A map as the contacted server has it: see Map::Eventual. Thread-safe.
 class EventualMap final : public Queries {
  private:
   friend class Map;

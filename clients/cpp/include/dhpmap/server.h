@@ -15,7 +15,7 @@ struct ActiveFeed {
   std::int64_t num_frames = 0, num_refused = 0;  ///< fused and refused, since the map was opened
   double frames_per_s = 0;                       ///< over the last 10 s
   std::int64_t num_implausible = 0;              ///< frames with a warning, fused or refused
-  std::string last_fault, last_warning;          ///< "POSE_INVERTED" and words; empty: there was no warning
+  std::string last_fault, last_warning;          ///< "POSE_INVERTED" and a message; empty: there was no warning
   std::int64_t num_plausible_since = 0;          ///< frames after the last warning
 };
 

@@ -42,7 +42,7 @@ class Watch {
  public:
   Watch(Watch&&) noexcept;
   Watch& operator=(Watch&&) noexcept;
-  /// Cancels its own call and waits for its end only.
+  /// Cancels its own call only, and waits for its end.
   ~Watch();
 
   /// The next change; nothing if there is none for idle_s (below 0: waits without limit), or after Close. Errors end

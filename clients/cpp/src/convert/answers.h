@@ -9,7 +9,8 @@
 #include "dhpmap/v1/collision.pb.h"
 #include "dhpmap/v1/query_service.pb.h"
 
-// Packs questions and unpacks columns of answers. Columns of wrong length are Internal errors, found before reading.
+// Packs questions and unpacks columns of answers. Columns of the wrong length give an Internal error before they are
+// read.
 
 namespace dhpmap::client {
 

@@ -43,8 +43,8 @@ class MotionValidity final : public ompl::base::MotionValidator {
   std::shared_ptr<const RobotWorld> world_;
 };
 
-/// Paths with a clearance of at least wanted_m cost their length; others cost up to 1 + weight times as much, where
-/// they touch. Two queries per motion.
+/// The cost of a path is its length where its clearance is at least wanted_m. With less clearance the cost grows, up to
+/// (1 + weight) times the length at a contact. Two queries per motion.
 class ClearanceObjective final : public ompl::base::StateCostIntegralObjective {
  public:
   ClearanceObjective(const ompl::base::SpaceInformationPtr& space, std::shared_ptr<const RobotWorld> world,
