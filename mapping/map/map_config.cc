@@ -5,7 +5,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <type_traits>
+#include <unordered_map>
 
 namespace dhpmap {
 namespace {
@@ -58,6 +60,20 @@ bool ParseField(std::string_view text, Weighting& value) {
     }
   }
   return false;
+}
+
+/// Of a key, in the order of VisitFields.
+std::optional<int> NumberOfField(std::string_view key) {
+  static const std::unordered_map<std::string_view, int> numbers = [] {
+    std::unordered_map<std::string_view, int> by_key;
+    const MapConfig config;
+    VisitFields(config, [&by_key](const char* its, const auto&, double, double, const char*) {
+      by_key.emplace(its, static_cast<int>(by_key.size()));
+    });
+    return by_key;
+  }();
+  const auto found = numbers.find(key);
+  return found == numbers.end() ? std::nullopt : std::optional<int>(found->second);
 }
 
 }  // namespace
@@ -143,19 +159,19 @@ const RetiredField* FindRetiredField(std::string_view key) {
 
 Status SetField(MapConfig& config, std::string_view wanted, std::string_view text) {
   if (const RetiredField* retired = FindRetiredField(wanted)) return CheckRetired(*retired, text);
-  bool known = false;
+  const std::optional<int> number = NumberOfField(wanted);
   bool parsed = false;
-  VisitFields(config, [&](const char* key, auto& value, double, double, const char*) {
-    if (wanted != key) return;
-    known = true;
+  VisitFields(config, [&, n = 0](const char*, auto& value, double, double, const char*) mutable {
+    if (n++ != number) return;
     std::remove_reference_t<decltype(value)> candidate = value;
     parsed = ParseField(text, candidate);
     if (parsed) value = candidate;
   });
+  if (parsed) return Status::Ok();
   const std::string key(wanted);
-  if (!known) return BadField("unknown config key " + key, key, "unknown key");
+  if (!number) return BadField("unknown config key " + key, key, "unknown key");
   const std::string cannot = "cannot be '" + std::string(text) + "'";
-  return parsed ? Status::Ok() : BadField("config key " + key + " " + cannot, key, cannot);
+  return BadField("config key " + key + " " + cannot, key, cannot);
 }
 
 }  // namespace dhpmap

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "proto/types/label_conversion.h"
 #include "proto/types/resource_names.h"
@@ -20,19 +21,45 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-/// Finds the field with a dotted key and the message that contains it. Writing creates the messages on the way.
-template <typename AnyMessage>
-std::pair<AnyMessage*, const FieldDescriptor*> Locate(AnyMessage& root, std::string_view key) {
-  AnyMessage* message = &root;
+/// From the message MapConfig to a field of it or of a message in it: the fields on the way, that one last.
+using FieldPath = std::vector<const FieldDescriptor*>;
+
+/// Of a dotted key.
+FieldPath FindPath(std::string_view key) {
+  FieldPath path;
+  const auto* type = v1::MapConfig::descriptor();
   while (true) {
     const std::size_t dot = key.find('.');
-    const FieldDescriptor* field = message->GetDescriptor()->FindFieldByName(std::string(key.substr(0, dot)));
-    GOOGLE_CHECK(field != nullptr) << "proto MapConfig lacks " << key;
-    if (dot == std::string_view::npos) return {message, field};
-    if constexpr (std::is_const_v<AnyMessage>) message = &message->GetReflection()->GetMessage(*message, field);
-    else message = message->GetReflection()->MutableMessage(message, field);
+    path.push_back(type->FindFieldByName(std::string(key.substr(0, dot))));
+    GOOGLE_CHECK(path.back() != nullptr) << "proto MapConfig lacks " << key;
+    if (dot == std::string_view::npos) return path;
+    type = path.back()->message_type();
     key.remove_prefix(dot + 1);
   }
+}
+
+/// Of each key, in the order of VisitFields. Looked up once: a page of maps has some thousand of them.
+const std::vector<FieldPath>& ConfigPaths() {
+  static const std::vector<FieldPath> paths = [] {
+    std::vector<FieldPath> found;
+    const MapConfig config;
+    VisitFields(config, [&found](const char* key, const auto&, double, double, const char*) {
+      found.push_back(FindPath(key));
+    });
+    return found;
+  }();
+  return paths;
+}
+
+/// The message that contains the field, and the field. Writing creates the messages on the way.
+template <typename AnyMessage>
+std::pair<AnyMessage*, const FieldDescriptor*> Locate(AnyMessage& root, const FieldPath& path) {
+  AnyMessage* message = &root;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if constexpr (std::is_const_v<AnyMessage>) message = &message->GetReflection()->GetMessage(*message, path[i]);
+    else message = message->GetReflection()->MutableMessage(message, path[i]);
+  }
+  return {message, path.back()};
 }
 
 void Read(const Message& message, const FieldDescriptor* field, double& value, Status&) {
@@ -95,11 +122,12 @@ v1::VerifyMapResponse::Fault::Kind KindOf(MapFault::Kind kind) {
 Status MergeConfig(const v1::MapConfig& proto, MapConfig& config) {
   Status bad = InvalidArgument("the map config is not usable").WithReason("BAD_CONFIG");
   const Message& root = proto;
-  VisitFields(config, [&root, &bad](const char* key, auto& value, double, double, const char*) {
-    const auto [message, field] = Locate(root, key);
+  VisitFields(config, [&root, &bad, path = ConfigPaths().begin()](const char*, auto& value, double, double,
+                                                                  const char*) mutable {
+    const auto [message, field] = Locate(root, *path++);
     if (message->GetReflection()->HasField(*message, field)) Read(*message, field, value, bad);
   });
-  const auto [message, carving] = Locate(root, "integration.carving");
+  const auto [message, carving] = Locate(root, FindPath("integration.carving"));
   if (message->GetReflection()->GetBool(*message, carving)) {
     bad.AddViolation("config.integration.carving", "is retired: it can only be false");
   }
@@ -109,8 +137,9 @@ Status MergeConfig(const v1::MapConfig& proto, MapConfig& config) {
 v1::MapConfig ToProto(const MapConfig& config) {
   v1::MapConfig proto;
   Message& root = proto;
-  VisitFields(config, [&root](const char* key, const auto& value, double, double, const char*) {
-    const auto [message, field] = Locate(root, key);
+  VisitFields(config, [&root, path = ConfigPaths().begin()](const char*, const auto& value, double, double,
+                                                            const char*) mutable {
+    const auto [message, field] = Locate(root, *path++);
     Write(*message, field, value);
   });
   return proto;

@@ -28,6 +28,12 @@ std::chrono::microseconds Micros(double seconds) {
   return std::chrono::microseconds(static_cast<std::int64_t>(seconds * 1e6));
 }
 
+/// A UUID, as the servers want it.
+std::string RequestId(std::int64_t number) {
+  std::string digits = std::to_string(number);
+  return "00000000-0000-4000-8000-" + std::string(12 - digits.size(), '0') + digits;
+}
+
 }  // namespace
 
 void Doors::Set(std::size_t server, const std::string& address) {
@@ -94,7 +100,7 @@ bool PacedRobot::Edit(std::int64_t number, double timeout_s) {
   request.mutable_map()->set_display_name(name);
   request.mutable_update_mask()->add_paths("display_name");
   request.set_author(name);
-  request.set_request_id(name);
+  request.set_request_id(RequestId(number));
   v1::UpdateMapResponse response;
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + Micros(timeout_s));

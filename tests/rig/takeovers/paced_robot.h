@@ -56,7 +56,7 @@ class PacedRobot {
   };
   /// Of frames and of edits, in order.
   [[nodiscard]] std::vector<Acknowledged> acknowledged() const DHPMAP_EXCLUDES(mutex_);
-  /// Revisions of the edits by their number, from 1 on; author and request id are "edit-" with that number.
+  /// Revisions of the edits by their number, from 1 on; the author is "edit-" with that number.
   [[nodiscard]] std::vector<std::int64_t> edit_revisions() const DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] const std::string& map() const { return map_; }
   [[nodiscard]] int num_sent_on() const { return num_sent_on_; }
