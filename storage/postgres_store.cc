@@ -28,10 +28,10 @@
 #include "storage/postgres/reading/map_reader.h"
 #include "storage/postgres/reading/one_state.h"
 #include "storage/postgres/reading/page_reader.h"
-#include "storage/postgres/removal.h"
 #include "storage/postgres/schema.h"
 #include "storage/postgres/transit/map_arrival.h"
 #include "storage/postgres/transit/map_export.h"
+#include "storage/postgres/transit/removal.h"
 
 namespace dhpmap {
 namespace {

@@ -15,7 +15,7 @@ if(initdb)
     EditCommands.ApplyAList* EditCommands.SplitABox* EditCommands.EachIsTried* EditsOverRest.* IfMatch.* ClassNames.* RestFeeders.*
     RestPast.* Watching.As* Watching.APosition* Watching.TheCommand* CommandLine.LogsUndoes* CommandLine.ReadsThePast*
     CommandLine.EditsObjects CommandLine.WhatIsStored* CommandLine.AMapIsRenamed)
-  dhpmap_room_of_tests(ROOM e2e_postgres TARGET e2e_test GTEST COST 40 ENVIRONMENT TEST_STORE=postgres
+  dhpmap_room_of_tests(ROOM e2e_postgres TARGET e2e_test GTEST COST 30 ENVIRONMENT TEST_STORE=postgres
     COMMAND $<TARGET_FILE:e2e_test> --gtest_filter=${cases})
 endif()
 dhpmap_tests(ROOM e2e/service COST 8 LIBS dhpmap_server_process dhpmap_http_client dhpmap_tls_client dhpmap_test_scenes)

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "storage/postgres/rows/table_text.h"
-#include "storage/postgres/rows/tile_owner.h"
+#include "storage/postgres/tiles/tile_owner.h"
 #include "storage/rows/submap_rows.h"
 
 namespace dhpmap::postgres {

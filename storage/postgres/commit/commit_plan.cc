@@ -5,8 +5,8 @@
 #include <string>
 
 #include "storage/paging/map_layers.h"
-#include "storage/postgres/commit/part_writes.h"
-#include "storage/postgres/rows/tile_owner.h"
+#include "storage/postgres/rows/part_writes.h"
+#include "storage/postgres/tiles/tile_owner.h"
 #include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {

@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-#include "storage/postgres/commit/selects.h"
+#include "storage/postgres/rows/selects.h"
 #include "storage/postgres/rows/table_text.h"
-#include "storage/postgres/rows/tile_owner.h"
+#include "storage/postgres/tiles/tile_owner.h"
 #include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {

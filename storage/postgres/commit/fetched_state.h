@@ -7,12 +7,12 @@
 
 #include "mapping/changes/state_marks.h"
 #include "storage/postgres/commit/submap_writes.h"
-#include "storage/postgres/commit/tile_writes.h"
 #include "storage/postgres/connection.h"
 #include "storage/postgres/history/change_writes.h"
 #include "storage/postgres/history/edit_tile_writes.h"
 #include "storage/postgres/history/edit_writes.h"
 #include "storage/postgres/rows/map_head.h"
+#include "storage/postgres/tiles/tile_writes.h"
 
 namespace dhpmap::postgres {
 

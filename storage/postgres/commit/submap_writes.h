@@ -8,8 +8,8 @@
 
 #include "storage/commit/state_tables.h"
 #include "storage/postgres/answer.h"
-#include "storage/postgres/commit/commit_places.h"
-#include "storage/postgres/commit/tile_writes.h"
+#include "storage/postgres/tiles/commit_places.h"
+#include "storage/postgres/tiles/tile_writes.h"
 #include "storage/postgres/values.h"
 #include "storage/rows/submap_rows.h"
 

@@ -8,7 +8,7 @@
 #include "mapping/map/same_state.h"
 #include "storage/commit_rules.h"
 #include "storage/postgres/owners/lost_answer.h"
-#include "storage/postgres/removal.h"
+#include "storage/postgres/transit/removal.h"
 
 namespace dhpmap::postgres {
 Writer::Writer(Pool& pool, MapOwnership& maps, const KeepingLimits& limits, std::chrono::milliseconds patience)

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "storage/commit/store_number.h"
-#include "storage/postgres/commit/commit_places.h"
 #include "storage/postgres/following/state_patch.h"
 #include "storage/postgres/reading/map_reader.h"
 #include "storage/postgres/reading/one_state.h"
 #include "storage/postgres/rows/map_head.h"
 #include "storage/postgres/rows/part_rows.h"
+#include "storage/postgres/tiles/commit_places.h"
 #include "storage/rows/map_parts.h"
 
 namespace dhpmap::postgres {

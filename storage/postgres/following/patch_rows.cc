@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "storage/postgres/commit/selects.h"
 #include "storage/postgres/following/state_patch.h"
+#include "storage/postgres/rows/selects.h"
 #include "storage/postgres/rows/table_text.h"
-#include "storage/postgres/rows/tile_owner.h"
+#include "storage/postgres/tiles/tile_owner.h"
 #include "storage/submap_maker.h"
 
 namespace dhpmap::postgres {

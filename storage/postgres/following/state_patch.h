@@ -8,9 +8,9 @@
 #include <set>
 
 #include "mapping/base/thread_pool.h"
-#include "storage/postgres/commit/commit_places.h"
 #include "storage/postgres/connection.h"
 #include "storage/postgres/following/tile_patch.h"
+#include "storage/postgres/tiles/commit_places.h"
 #include "storage/rows/map_row.h"
 #include "storage/rows/submap_rows.h"
 #include "storage/store.h"

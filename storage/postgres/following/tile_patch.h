@@ -11,7 +11,7 @@
 #include "mapping/submap/submap.h"
 #include "storage/codec/envelope.h"
 #include "storage/commit/tile_totals.h"
-#include "storage/postgres/commit/commit_places.h"
+#include "storage/postgres/tiles/commit_places.h"
 #include "storage/rows/map_row.h"
 #include "storage/rows/submap_rows.h"
 

@@ -10,7 +10,7 @@
 #include "storage/commit/state_tables.h"
 #include "storage/history/edit_tiles.h"
 #include "storage/postgres/answer.h"
-#include "storage/postgres/commit/tile_writes.h"
+#include "storage/postgres/tiles/tile_writes.h"
 #include "storage/postgres/values.h"
 #include "storage/rows/edit_rows.h"
 

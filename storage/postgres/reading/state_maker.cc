@@ -8,7 +8,7 @@
 #include "storage/paging/map_layers.h"
 #include "storage/postgres/reading/paged_submap.h"
 #include "storage/postgres/reading/tile_answer.h"
-#include "storage/postgres/rows/tile_owner.h"
+#include "storage/postgres/tiles/tile_owner.h"
 #include "storage/submap_maker.h"
 
 namespace dhpmap::postgres {

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "mapping/map/history_id.h"
-#include "storage/postgres/commit/part_writes.h"
+#include "storage/postgres/rows/part_writes.h"
 #include "storage/postgres/rows/row_diff.h"
-#include "storage/postgres/rows/tile_owner.h"
+#include "storage/postgres/tiles/tile_owner.h"
 #include "storage/postgres/transit/map_arrival.h"
 #include "storage/rows/map_parts.h"
 #include "storage/rows/tile_rows.h"

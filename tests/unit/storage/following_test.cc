@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "storage/postgres/commit/commit_places.h"
 #include "storage/postgres/following/later_state.h"
 #include "storage/postgres/pool.h"
+#include "storage/postgres/tiles/commit_places.h"
 #include "storage/postgres_store.h"
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"

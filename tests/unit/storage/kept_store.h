@@ -40,6 +40,7 @@ struct KeptStoreOptions {
   ChangeHistoryLimits changes = {};
   EditLogLimits edits = {};
   std::function<std::int64_t()> passing_time_ns = {};
+  bool reads_all = false;  ///< a paged store opens as one that is not
 };
 
 /// A place for maps, and stores that are opened on it one after the other.
@@ -78,18 +79,19 @@ class KeptStore {
 
  private:
   [[nodiscard]] Result<std::unique_ptr<MapStore>> OpenPostgres(const KeptStoreOptions& options) const {
-    return OpenPostgresStore(PostgresCluster::Get()->Url(), {.schema = schema_,
-                                                             .changes = options.changes,
-                                                             .edits = options.edits,
-                                                             .max_connections = 4,
-                                                             .pages_tiles = kind_ == StoreKind::kPagedPostgres,
-                                                             .transit_folder = Folder(),
-                                                             .passing_time_ns = options.passing_time_ns});
+    return OpenPostgresStore(PostgresCluster::Get()->Url(),
+                             {.schema = schema_,
+                              .changes = options.changes,
+                              .edits = options.edits,
+                              .max_connections = 4,
+                              .pages_tiles = kind_ == StoreKind::kPagedPostgres && !options.reads_all,
+                              .transit_folder = Folder(),
+                              .passing_time_ns = options.passing_time_ns});
   }
   [[nodiscard]] Result<std::unique_ptr<MapStore>> OpenSqlite(const KeptStoreOptions& options) const {
     return OpenSqliteStore(Path(), {.changes = options.changes,
                                     .edits = options.edits,
-                                    .pages_tiles = kind_ == StoreKind::kPaged,
+                                    .pages_tiles = kind_ == StoreKind::kPaged && !options.reads_all,
                                     .passing_time_ns = options.passing_time_ns});
   }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "storage/postgres/pool.h"
-#include "storage/postgres/removal.h"
 #include "storage/postgres/transit/incoming_map.h"
+#include "storage/postgres/transit/removal.h"
 #include "tests/support/cut_connection.h"
 #include "tests/support/eventually.h"
 #include "tests/support/places.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps whose voxels stay in the file until somebody reads them, against the same maps read as a whole.
+// Maps whose voxels stay in the file or the database until somebody reads them, against the same maps read as a whole.
 #include <memory>
 #include <string>
 
@@ -8,13 +8,14 @@
 #include "tests/support/diff_snapshots.h"
 #include "tests/support/eventually.h"
 #include "tests/support/map_equality.h"
-#include "tests/unit/storage/sqlite_fixture.h"
+#include "tests/unit/storage/any_store_fixture.h"
 
 namespace dhpmap {
 namespace {
 
+using testing::AnyStoreTest;
 using testing::MapsAreEqual;
-using testing::SqliteStoreTest;
+using testing::StoreKind;
 
 /// Why the voxels of a submap cannot be read, or OK.
 Status ReadVoxelsOf(const Submap& submap) {
@@ -27,11 +28,18 @@ Status ReadVoxelsOf(const Submap& submap) {
   }
 }
 
-class PagingTest : public SqliteStoreTest {
+class PagingTest : public AnyStoreTest {
  protected:
-  void OpenPaged(bool read_only = false) {
-    pages_tiles_ = true;
-    Open(read_only);
+  void OpenPaged() { Open(); }
+  /// A condition on rows of table tiles, of a store with one map.
+  [[nodiscard]] std::string IsOfSubmap(int id) const {
+    const std::string number = std::to_string(id);
+    return kept_.IsPostgres() ? "owner_id = " + number
+                              : "owner_key = (SELECT submap_key FROM submaps WHERE submap_id = " + number + ")";
+  }
+  /// An expression of bytes as a blob.
+  [[nodiscard]] std::string AsBlob(const std::string& bytes) const {
+    return "CAST(" + bytes + " AS " + (kept_.IsPostgres() ? "bytea" : "BLOB") + ")";
   }
   std::shared_ptr<const MapSnapshot> Load() {
     auto loaded = store_->LoadMap("house");
@@ -40,7 +48,7 @@ class PagingTest : public SqliteStoreTest {
   }
   /// As it is when it is read as a whole.
   std::shared_ptr<const MapSnapshot> MakeSample() {
-    Open();
+    Open({.reads_all = true});
     CreateSample("house");
     return Load();
   }
@@ -49,10 +57,7 @@ class PagingTest : public SqliteStoreTest {
     MakeSample();
     OpenPaged();
     const auto held = Load();
-    Tamper(
-        "DELETE FROM tile_blobs WHERE blob_key IN (SELECT blob_key FROM tiles WHERE owner_key = (SELECT submap_key "
-        "FROM "
-        "submaps WHERE submap_id = 2))");
+    Tamper("DELETE FROM tile_blobs WHERE blob_key IN (SELECT blob_key FROM tiles WHERE " + IsOfSubmap(2) + ")");
     Tamper(lose_rows);
     const Status status = ReadVoxelsOf(*held->Find(SubmapId(2)));
     EXPECT_EQ(status.code(), StatusCode::kDataLoss) << status.ToString();
@@ -61,11 +66,18 @@ class PagingTest : public SqliteStoreTest {
   static std::uint64_t NumReads() { return CountPages().num_reads; }
   static std::int64_t ResidentBytes() { return CountPages().resident_bytes; }
 };
+INSTANTIATE_TEST_SUITE_P(Stores, PagingTest, ::testing::ValuesIn(testing::StoresThatPage()), testing::NameOfKind);
 
-TEST_F(PagingTest, AMapOpensWithoutVoxelsAndHasTheSame) {
+/// What a file alone has: opening for reading, blobs that go with the commit that drops them, and a repair after which
+/// a held state finds other rows than its own.
+class PagingTestInAFile : public PagingTest {};
+INSTANTIATE_TEST_SUITE_P(Stores, PagingTestInAFile, ::testing::Values(StoreKind::kPaged), testing::NameOfKind);
+
+TEST_P(PagingTestInAFile, AMapOpensWithoutVoxelsAndHasTheSame) {
   const auto whole = MakeSample();
   for (const bool read_only : {false, true}) {
-    OpenPaged(read_only);
+    store_ = nullptr;
+    store_ = OpenSqliteStore(kept_.Path(), {.read_only = read_only, .pages_tiles = true}).value();
     const std::uint64_t before = NumReads();
     const auto paged = Load();
     const StateMarks marks(*paged);
@@ -91,7 +103,7 @@ TEST_F(PagingTest, AMapOpensWithoutVoxelsAndHasTheSame) {
   }
 }
 
-TEST_F(PagingTest, WhatWasReadGoesOnRequestFirstWhatNobodyUsed) {
+TEST_P(PagingTest, WhatWasReadGoesOnRequestFirstWhatNobodyUsed) {
   MakeSample();
   OpenPaged();
   const std::int64_t before = ResidentBytes();
@@ -120,30 +132,28 @@ TEST_F(PagingTest, WhatWasReadGoesOnRequestFirstWhatNobodyUsed) {
   EXPECT_EQ(ResidentBytes(), before);
 }
 
-TEST_F(PagingTest, ATileThatCannotBeReadIsAnErrorOfWhoAsksForItAlone) {
+TEST_P(PagingTest, ATileThatCannotBeReadIsAnErrorOfWhoAsksForItAlone) {
   const auto whole = MakeSample();
   OpenPaged();
   const auto paged = Load();
   const std::string of_a_tile =
-      " WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE layer = 1 AND owner_key = (SELECT submap_key FROM "
-      "submaps "
-      "WHERE submap_id = 2))";
-  Tamper("UPDATE tile_blobs SET blob = CAST(blob || x'00' AS BLOB)" + of_a_tile);
+      " WHERE blob_key = (SELECT min(blob_key) FROM tiles WHERE layer = 1 AND " + IsOfSubmap(2) + ")";
+  Tamper("UPDATE tile_blobs SET blob = " + AsBlob("blob || x'00'") + of_a_tile);
   for (int n = 0; n < 2; ++n) {
     const Status status = ReadVoxelsOf(*paged->Find(SubmapId(2)));
     EXPECT_EQ(status.code(), StatusCode::kDataLoss);
     EXPECT_EQ(status.reason(), Reason("DAMAGED_MAP"));
     EXPECT_NE(status.message().find("map 'house': submap 2: tsdf tile ("), std::string::npos) << status.message();
-    testing::ExpectDiscreet(status, Path());
+    testing::ExpectDiscreet(status, kept_.Path());
   }
   for (const auto id : {1u, 3u}) EXPECT_TRUE(ReadVoxelsOf(*paged->Find(SubmapId(id))).ok());
   Map map(paged);
   EXPECT_THROW(map.FindMutable(SubmapId(2))->DropLabels(), StatusError);
-  Tamper("UPDATE tile_blobs SET blob = CAST(substr(blob, 1, length(blob) - 1) AS BLOB)" + of_a_tile);
+  Tamper("UPDATE tile_blobs SET blob = " + AsBlob("substr(blob, 1, length(blob) - 1)") + of_a_tile);
   EXPECT_TRUE(MapsAreEqual(*whole, *paged)) << "it is tried again";
 }
 
-TEST_F(PagingTest, WhatCannotBeReadKeepsNoCommitWaiting) {
+TEST_P(PagingTest, WhatCannotBeReadKeepsNoCommitWaiting) {
   MakeSample();
   OpenPaged();
   Map map(Load());
@@ -158,11 +168,10 @@ TEST_F(PagingTest, WhatCannotBeReadKeepsNoCommitWaiting) {
   EXPECT_TRUE(store_->Commit(*after, *map.Publish(51), Durability::kNormal).ok());
 }
 
-TEST_F(PagingTest, AnObjectOfWhichRowsAreLostIsTheOnlyOneThatCannotBeRead) {
+TEST_P(PagingTest, AnObjectOfWhichRowsAreLostIsTheOnlyOneThatCannotBeRead) {
   MakeSample();
   OpenPaged();
-  const std::string of_second = "owner_key = (SELECT submap_key FROM submaps WHERE submap_id = 2)";
-  Tamper("DELETE FROM tiles WHERE layer = 2 AND " + of_second);
+  Tamper("DELETE FROM tiles WHERE layer = 2 AND " + IsOfSubmap(2));
   Map map(Load());
   const auto before = map.published();
   for (int n = 0; n < 2; ++n) {
@@ -184,12 +193,10 @@ TEST_F(PagingTest, AnObjectOfWhichRowsAreLostIsTheOnlyOneThatCannotBeRead) {
   EXPECT_TRUE(MapsAreEqual(*map.published(), *Load()));
 }
 
-TEST_F(PagingTest, ARowOfALayerToComeIsToldToWhoNeedsTheTile) {
+TEST_P(PagingTest, ARowOfALayerToComeIsToldToWhoNeedsTheTile) {
   MakeSample();
   OpenPaged();
-  Tamper(
-      "UPDATE tiles SET layer = 15 WHERE layer = 2 AND owner_key = (SELECT submap_key FROM submaps WHERE submap_id = "
-      "2)");
+  Tamper("UPDATE tiles SET layer = 15 WHERE layer = 2 AND " + IsOfSubmap(2));
   const auto paged = Load();
   const Status status = ReadVoxelsOf(*paged->Find(SubmapId(2)));
   EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition) << status.ToString();
@@ -197,7 +204,7 @@ TEST_F(PagingTest, ARowOfALayerToComeIsToldToWhoNeedsTheTile) {
   EXPECT_TRUE(ReadVoxelsOf(*paged->Find(SubmapId(1))).ok());
 }
 
-TEST_F(PagingTest, ABlockIsFoundWithoutTheOtherTilesOfItsObject) {
+TEST_P(PagingTest, ABlockIsFoundWithoutTheOtherTilesOfItsObject) {
   const auto whole = MakeSample();
   OpenPaged();
   const auto paged = Load();
@@ -215,9 +222,8 @@ TEST_F(PagingTest, ABlockIsFoundWithoutTheOtherTilesOfItsObject) {
   EXPECT_EQ(NumReads(), before + 1);
 }
 
-TEST_F(PagingTest, ABlockOfALargeObjectIsFoundByItsRowAlone) {
+TEST_P(PagingTest, ABlockOfALargeObjectIsFoundByItsRowAlone) {
   constexpr int kNumTiles = 1200;
-  Open();
   MapInfo info;
   info.name = "house";
   Map made(std::move(info));
@@ -260,7 +266,7 @@ TEST_F(PagingTest, ABlockOfALargeObjectIsFoundByItsRowAlone) {
   }
 }
 
-TEST_F(PagingTest, AStateThatIsHeldWhileTheMapIsRepairedExpires) {
+TEST_P(PagingTestInAFile, AStateThatIsHeldWhileTheMapIsRepairedExpires) {
   MakeSample();
   OpenPaged();
   const auto held = Load();
@@ -274,7 +280,7 @@ TEST_F(PagingTest, AStateThatIsHeldWhileTheMapIsRepairedExpires) {
   EXPECT_TRUE(ReadVoxelsOf(*Load()->Find(SubmapId(2))).ok());
 }
 
-TEST_F(PagingTest, ABlockOfAStateThatTheMapHasLeftBehindExpires) {
+TEST_P(PagingTest, ABlockOfAStateThatTheMapHasLeftBehindExpires) {
   MakeSample();
   OpenPaged();
   const auto held = Load();
@@ -292,7 +298,7 @@ TEST_F(PagingTest, ABlockOfAStateThatTheMapHasLeftBehindExpires) {
   }
 }
 
-TEST_F(PagingTest, ATileThatIsMissingIsTold) {
+TEST_P(PagingTest, ATileThatIsMissingIsTold) {
   MakeSample();
   OpenPaged();
   const auto paged = Load();
@@ -302,7 +308,7 @@ TEST_F(PagingTest, ATileThatIsMissingIsTold) {
   EXPECT_NE(status.message().find("is missing"), std::string::npos) << status.message();
 }
 
-TEST_F(PagingTest, AStateOfBeforeTheMapWasLoadedAnewIsNotCalledDamaged) {
+TEST_P(PagingTestInAFile, AStateOfBeforeTheMapWasLoadedAnewIsNotCalledDamaged) {
   MakeSample();
   OpenPaged();
   const auto held = Load();
@@ -324,7 +330,7 @@ TEST_F(PagingTest, AStateOfBeforeTheMapWasLoadedAnewIsNotCalledDamaged) {
   EXPECT_EQ(ReadVoxelsOf(*before->Find(SubmapId(3))).code(), StatusCode::kAborted);
 }
 
-TEST_F(PagingTest, AStateOfBeforeTheMapWasOpenedAgainExpiresWhereTheMapHasGoneOn) {
+TEST_P(PagingTestInAFile, AStateOfBeforeTheMapWasOpenedAgainExpiresWhereTheMapHasGoneOn) {
   MakeSample();
   OpenPaged();
   const auto held = Load();
@@ -342,13 +348,13 @@ TEST_F(PagingTest, AStateOfBeforeTheMapWasOpenedAgainExpiresWhereTheMapHasGoneOn
     EXPECT_EQ(status.reason(), Reason("SNAPSHOT_EXPIRED"));
     EXPECT_NE(status.message().find("map 'house': submap " + std::to_string(id) + ": "), std::string::npos)
         << status.message();
-    testing::ExpectDiscreet(status, Path());
+    testing::ExpectDiscreet(status, kept_.Path());
   }
   EXPECT_TRUE(ReadVoxelsOf(*held->Find(SubmapId(1))).ok()) << "which is as it was";
   EXPECT_TRUE(MapsAreEqual(*map.published(), *Load()));
 }
 
-TEST_F(PagingTest, AStateOfADeletedMapExpires) {
+TEST_P(PagingTestInAFile, AStateOfADeletedMapExpires) {
   MakeSample();
   OpenPaged();
   const auto held = Load();
@@ -357,19 +363,19 @@ TEST_F(PagingTest, AStateOfADeletedMapExpires) {
   EXPECT_EQ(ReadVoxelsOf(*held->Find(SubmapId(2))).reason(), Reason("SNAPSHOT_EXPIRED"));
 }
 
-TEST_F(PagingTest, WhatWasLostWithItsRowsIsNotTakenForExpired) {
-  ExpectLost("DELETE FROM tiles WHERE owner_key = (SELECT submap_key FROM submaps WHERE submap_id = 2)");
+TEST_P(PagingTest, WhatWasLostWithItsRowsIsNotTakenForExpired) {
+  ExpectLost("DELETE FROM tiles WHERE " + IsOfSubmap(2));
 }
 
-TEST_F(PagingTest, WhatWasLostWithItsSubmapIsNotTakenForExpired) {
+TEST_P(PagingTest, WhatWasLostWithItsSubmapIsNotTakenForExpired) {
   ExpectLost("DELETE FROM submaps WHERE submap_id = 2");
 }
 
-TEST_F(PagingTest, RowsThatSayOtherBlocksThanTheirBlobsAreToldAndRepaired) {
+TEST_P(PagingTest, RowsThatSayOtherBlocksThanTheirBlobsAreToldAndRepaired) {
   const auto whole = MakeSample();
   OpenPaged();
   // As many blocks, at other cells.
-  Tamper("UPDATE tiles SET cells = cells * 2 WHERE layer = 1 AND cells > 0 AND cells < 0x4000000000000000");
+  Tamper("UPDATE tiles SET cells = cells * 2 WHERE layer = 1 AND cells > 0 AND cells < 4611686018427387904");
   const auto paged = Load();
   Status first;
   for (const auto& submap : paged->submaps()) {
@@ -382,7 +388,7 @@ TEST_F(PagingTest, RowsThatSayOtherBlocksThanTheirBlobsAreToldAndRepaired) {
   EXPECT_TRUE(MapsAreEqual(*whole, *Load()));
 }
 
-TEST_F(PagingTest, WithoutItsStoreAMapHasWhatWasRead) {
+TEST_P(PagingTest, WithoutItsStoreAMapHasWhatWasRead) {
   MakeSample();
   OpenPaged();
   const auto paged = Load();
@@ -393,7 +399,7 @@ TEST_F(PagingTest, WithoutItsStoreAMapHasWhatWasRead) {
   Open();  // the file is free
 }
 
-TEST_F(PagingTest, ACloneOfWhatWasNotReadIsRows) {
+TEST_P(PagingTest, ACloneOfWhatWasNotReadIsRows) {
   const auto whole = MakeSample();
   OpenPaged();
   Map map(Load());

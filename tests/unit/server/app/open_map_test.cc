@@ -422,27 +422,21 @@ TEST(OpenMap, AFlushIsSyncedInFullEvenIfAllWasCommittedBefore) {
 }
 
 /// A store with one map, beside others, of which nothing but the name can be read.
-class DamagedStore final : public MapStore {
+class DamagedStore final : public testing::WrappedStore {
  public:
   Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
-    DHPMAP_ASSIGN_OR_RETURN(auto maps, inner->ListMaps(after, max));
+    DHPMAP_ASSIGN_OR_RETURN(auto maps, inner().ListMaps(after, max));
     for (StoredMap& map : maps) {
       if (map.info.name == "ruin") map = DamagedMap("ruin", DataLoss("a checksum is wrong"));
     }
     return maps;
   }
   Result<StoredMap> GetMap(const std::string& name) override {
-    auto map = inner->GetMap(name);
+    auto map = inner().GetMap(name);
     if (map.ok() && name == "ruin") return DataLoss("a checksum is wrong");
     return map;
   }
-  Status CreateMap(const MapSnapshot& snapshot) override { return inner->CreateMap(snapshot); }
-  Status Commit(const StateMarks&, const MapSnapshot&, Durability) override { return Status::Ok(); }
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return DataLoss("no"); }
-  Status DeleteMap(const std::string& name) override { return inner->DeleteMap(name); }
-  Status Reserve(const std::string&, const NumberMarks&) override { return Status::Ok(); }
-
-  std::unique_ptr<MapStore> inner = MakeMemoryStore();
 };
 
 TEST(MapRegistry, ADamagedMapIsListedRefusedAndCanBeDeletedBesideTheOthers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage/postgres/removal.h"
+#include "storage/postgres/transit/removal.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage/postgres/commit/selects.h"
+#include "storage/postgres/rows/selects.h"
 
 #include "storage/postgres/rows/table_text.h"
 #include "storage/rows/submap_rows.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage/postgres/commit/part_writes.h"
+#include "storage/postgres/rows/part_writes.h"
 
 #include <string>
 

@@ -9,8 +9,8 @@
 
 #include "storage/commit/state_tables.h"
 #include "storage/postgres/answer.h"
-#include "storage/postgres/commit/blob_counts.h"
-#include "storage/postgres/commit/commit_places.h"
+#include "storage/postgres/tiles/blob_counts.h"
+#include "storage/postgres/tiles/commit_places.h"
 #include "storage/postgres/values.h"
 
 namespace dhpmap::postgres {

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "storage/postgres/commit/tile_writes.h"
+#include "storage/postgres/tiles/tile_writes.h"
 
 namespace dhpmap::postgres {
 namespace {

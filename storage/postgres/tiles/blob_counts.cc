@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage/postgres/commit/blob_counts.h"
+#include "storage/postgres/tiles/blob_counts.h"
 
 #include <span>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage/postgres/commit/tile_writes.h"
+#include "storage/postgres/tiles/tile_writes.h"
 
 #include <bit>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage/postgres/commit/commit_places.h"
+#include "storage/postgres/tiles/commit_places.h"
 
 #include <bit>
 #include <limits>
