@@ -225,8 +225,7 @@ Result<std::unique_ptr<GrpcServer>> GrpcServer::Start(const GrpcOptions& options
   gpr_set_log_function(LogFromGrpc);
   grpc::EnableDefaultHealthCheckService(true);
   DHPMAP_RETURN_IF_ERROR(options.gate->CheckCalls());
-  google::protobuf::LinkMessageReflection<grpc::health::v1::HealthCheckRequest>();  // reflection describes this
-                                                                                    // service, too
+  google::protobuf::LinkMessageReflection<grpc::health::v1::HealthCheckRequest>();  // for reflection
   auto impl = std::make_unique<Impl>(options, registry, std::move(observer));
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   grpc::ServerBuilder builder;

@@ -124,8 +124,7 @@ Status MapQuota::CheckDisk(const std::string& principal) {
     sum = Sum{.at_s = now_s};
     DHPMAP_ASSIGN_OR_RETURN(const std::vector<std::string> maps, MapsOf(principal));
     for (const std::string& map : maps) {
-      if (const auto bytes = registry_.DiskBytes(map); bytes.ok())
-        sum->bytes += *bytes;  // else it was deleted just now
+      if (const auto bytes = registry_.DiskBytes(map); bytes.ok()) sum->bytes += *bytes;  // else just deleted
     }
     const MutexLock lock(mutex_);
     sums_[principal] = *sum;

@@ -39,8 +39,7 @@ class MappingService final : public CountedService<v1::MappingService> {
       DHPMAP_ASSIGN_OR_RETURN(Pager pager, Pager::Begin(*request, now, *context_.registry.LostRevisionsOf(name)));
       response->set_revision(view->snapshot().revision());
       for (const SessionStatus& status : open_map->Sessions()) {
-        const std::string key =
-            kSessionKey + status.session;  // never empty, unlike the key of streams without a session
+        const std::string key = kSessionKey + status.session;  // not empty, unlike the key of unnamed streams
         if (key <= pager.after()) continue;
         v1::FeedSession proto = ToProto(status, name);
         if (!pager.Takes(proto, key)) break;

@@ -46,7 +46,7 @@ class ServerOnPostgres : public ::testing::Test {
   std::optional<ServerProcess> server_;
 };
 
-TEST_F(ServerOnPostgres, WhatWasFedAndEditedIsTheSameAfterAStopAndAfterAKill) {
+TEST_F(ServerOnPostgres, FramesAndEditsSurviveAStopAndAKill) {
   Run({"map", (temp_.path() / "dataset").string(), "--map", "room", "--labels", "groundtruth"});
   Run({"edit", "rename", "room", "1", "named on PostgreSQL"});
   const std::vector<std::string> before = Answers();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot on wheels on the floor of the scene: what may touch what, and how near it comes, through both doors.
+// A wheeled robot on the floor of the scene: allowed contacts and clearance, through both doors.
 #include <cmath>
 #include <string>
 
@@ -14,7 +14,8 @@ class WheeledRobot : public MappedScene {
  protected:
   void SetUp() override { floor_ = ObjectOfClass(3); }
 
-  /// A body on two wheels that dip a centimetre into the floor, from beside the ball up to x, between ball and box.
+  /// A body on two wheels that dip a centimetre into the floor. It drives from beside the ball to x, between ball and
+  /// box.
   static v1::CheckTrajectoryRequest Drive(double to_x) {
     v1::CheckTrajectoryRequest request;
     request.set_map("maps/room");
@@ -54,7 +55,7 @@ class WheeledRobot : public MappedScene {
   grpc::Status status_;
 };
 
-TEST_F(WheeledRobot, DrivesOnTheFloorItsWheelsMayTouchAndNothingElseOfItMay) {
+TEST_F(WheeledRobot, OnlyItsWheelsMayTouchTheFloor) {
   v1::CheckTrajectoryRequest drive = Drive(0.8);
   EXPECT_FALSE(Ask(drive).valid()) << "today's answer";
   EXPECT_EQ(Ask(drive).contacts(0).contact().submap(), floor_);
@@ -80,7 +81,7 @@ TEST_F(WheeledRobot, DrivesOnTheFloorItsWheelsMayTouchAndNothingElseOfItMay) {
   EXPECT_EQ(box.contacts(0).contact().class_name(), ClassName(2)) << "the box stays in the way, of wheels too";
 }
 
-TEST_F(WheeledRobot, ClearanceIsToldWithWhereAndWhose) {
+TEST_F(WheeledRobot, ClearanceNamesThePointAndTheObject) {
   v1::CheckTrajectoryRequest drive = Drive(0.8);
   EXPECT_FALSE(Ask(drive).has_clearance());
   drive.set_include_clearance(true);
@@ -97,7 +98,7 @@ TEST_F(WheeledRobot, ClearanceIsToldWithWhereAndWhose) {
   EXPECT_TRUE(least.waypoint() == 0 || least.fraction() == 0);
   Allow("body", ClassName(3), *drive.mutable_options());
   const v1::Clearance ball = Ask(drive).clearance();
-  const double gap_m = std::sqrt(0.2 * 0.2 + 0.9 * 0.9 + 0.15 * 0.15) - 0.4 - kBody_m;  // of the body, at first
+  const double gap_m = std::sqrt(0.2 * 0.2 + 0.9 * 0.9 + 0.15 * 0.15) - 0.4 - kBody_m;  // of the body at the start
   EXPECT_NEAR(ball.distance_m(), gap_m, 0.02);
   EXPECT_EQ(ball.class_name(), ClassName(1));
   EXPECT_EQ(ball.sphere(), 2);
@@ -113,7 +114,7 @@ TEST_F(WheeledRobot, ClearanceIsToldWithWhereAndWhose) {
   EXPECT_FALSE(Ask(drive).has_clearance()) << "there is nothing so near";
 }
 
-TEST_F(WheeledRobot, BodiesHaveLinksToo) {
+TEST_F(WheeledRobot, BodiesAlsoHaveLinks) {
   v1::CheckCollisionsRequest request;
   request.set_map("maps/room");
   for (const double z : {0.07, 0.07}) {
@@ -137,7 +138,7 @@ TEST_F(WheeledRobot, BodiesHaveLinksToo) {
   EXPECT_EQ(ViolationOf(status_).substr(0, 22), "body_links has 3 names");
 }
 
-TEST_F(WheeledRobot, AGripperIsNotBlockedByTheInsideOfWhatIsLeftOutIfThatLeavesFreeSpace) {
+TEST_F(WheeledRobot, AGripperMayEnterAnIgnoredObjectIfItsSpaceCountsAsFree) {
   v1::CheckCollisionsRequest request;
   request.set_map("maps/room");
   for (const float value : {0.f, 0.f, 0.5f, 0.12f}) request.add_packed_spheres_m(value);

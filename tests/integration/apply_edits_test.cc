@@ -16,7 +16,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// One mapped room, with a copy of its ball beside it.
+/// A mapped room with a copy of its ball.
 class ApplyEditsTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -61,7 +61,7 @@ class ApplyEditsTest : public ::testing::Test {
   std::string ball, box, floor;
 };
 
-TEST_F(ApplyEditsTest, AListIsOneRevisionThatIsStored) {
+TEST_F(ApplyEditsTest, AListOfEditsIsStoredAsOneRevision) {
   const std::int64_t before = Revision();
   const std::size_t num_submaps = List().size();
   const v1::ApplyEditsResponse response = Apply(CloneAndSplit());
@@ -78,7 +78,7 @@ TEST_F(ApplyEditsTest, AListIsOneRevisionThatIsStored) {
   EXPECT_GT(half.submap().bounding_sphere().center_m().x(), 0);
 }
 
-TEST_F(ApplyEditsTest, AListThatFailsChangesNothing) {
+TEST_F(ApplyEditsTest, AFailedListOfEditsChangesNothing) {
   const std::int64_t before = Revision();
   v1::ApplyEditsRequest request = CloneAndSplit();
   Add(request, "maps/room/submaps/999").mutable_delete_();
@@ -90,7 +90,7 @@ TEST_F(ApplyEditsTest, AListThatFailsChangesNothing) {
   EXPECT_EQ(after.revision(), before + 1);
 }
 
-TEST_F(ApplyEditsTest, ValidatingOnlyTellsTheSameAndChangesNothing) {
+TEST_F(ApplyEditsTest, ATrialAnswersLikeTheEditAndChangesNothing) {
   const std::int64_t before = Revision();
   v1::ApplyEditsRequest request = CloneAndSplit();
   request.set_validate_only(true);
@@ -107,7 +107,7 @@ TEST_F(ApplyEditsTest, ValidatingOnlyTellsTheSameAndChangesNothing) {
   }
 }
 
-TEST_F(ApplyEditsTest, OfTwoWhoEditWhatTheyKnowOneIsToldThatTheOtherWasFirst) {
+TEST_F(ApplyEditsTest, TheSecondOfTwoConcurrentEditsIsAborted) {
   const std::int64_t known = Revision();
   std::vector<std::future<grpc::Status>> answers;
   for (int i = 0; i < 2; ++i) {
@@ -134,7 +134,7 @@ TEST_F(ApplyEditsTest, FramesDoNotCountAsEdits) {
   EXPECT_OK(status);
 }
 
-TEST_F(ApplyEditsTest, WhatWasClearedIsUnknownAndComesBackWhenItIsSeen) {
+TEST_F(ApplyEditsTest, AClearedRegionIsUnknownUntilItIsObservedAgain) {
   v1::ApplyEditsRequest request;
   v1::Edit& edit = *request.add_edits();
   edit.mutable_clear()->mutable_sphere()->set_radius_m(50);
@@ -146,7 +146,7 @@ TEST_F(ApplyEditsTest, WhatWasClearedIsUnknownAndComesBackWhenItIsSeen) {
   EXPECT_GE(List().size(), 4u);
 }
 
-TEST_F(ApplyEditsTest, WhatIsLockedOnlyTellsWhenItWasSeen) {
+TEST_F(ApplyEditsTest, ALockedObjectChangesOnlyItsLastSeenTime) {
   v1::ApplyEditsRequest request;
   Add(request, ball).mutable_lock();
   Apply(request);
@@ -185,7 +185,7 @@ TEST_F(ApplyEditsTest, WhatIsLockedOnlyTellsWhenItWasSeen) {
 v1::Vector3 MiddleOf(const v1::Submap& submap) { return submap.oriented_box().pose().translation_m(); }
 double LowSideOf(const v1::Submap& submap) { return MiddleOf(submap).z() - submap.oriented_box().size_m().z() / 2; }
 
-TEST_F(ApplyEditsTest, AnObjectIsTurnedShiftedAndPlacedInTheMapsFrameAndBackAgain) {
+TEST_F(ApplyEditsTest, AnObjectIsTurnedShiftedAndPlacedAndUndoMovesItBack) {
   const auto get = [this](const std::string& name) {
     return server.Call(&SubmapStub::GetSubmap, name).value().submap();
   };
@@ -221,7 +221,7 @@ TEST_F(ApplyEditsTest, AnObjectIsTurnedShiftedAndPlacedInTheMapsFrameAndBackAgai
   EXPECT_EQ(get(ball).oriented_box().SerializeAsString(), ball_before.oriented_box().SerializeAsString());
 }
 
-TEST_F(ApplyEditsTest, WhatSaysNotHowItMovesIsRefusedWithEveryField) {
+TEST_F(ApplyEditsTest, AMoveWithoutATargetIsRefusedWithEveryField) {
   v1::ApplyEditsRequest request;
   Add(request, box).mutable_turn()->set_angle_rad(std::nan(""));
   Add(request, box).mutable_translate();
@@ -237,7 +237,7 @@ TEST_F(ApplyEditsTest, WhatSaysNotHowItMovesIsRefusedWithEveryField) {
   }
 }
 
-TEST_F(ApplyEditsTest, WhatWouldBePlacedIsToldAndChangesNothing) {
+TEST_F(ApplyEditsTest, ATrialOfAPlacementReturnsThePoseAndChangesNothing) {
   const std::int64_t before = Revision();
   v1::ApplyEditsRequest request;
   Add(request, ball).mutable_clone();
@@ -250,7 +250,7 @@ TEST_F(ApplyEditsTest, WhatWouldBePlacedIsToldAndChangesNothing) {
   EXPECT_EQ(Revision(), before);
 }
 
-TEST_F(ApplyEditsTest, WhatIsClearedAndKeptClearStaysEmptyUntilItIsLifted) {
+TEST_F(ApplyEditsTest, AClearedIgnoredRegionStaysEmptyUntilItIsRemoved) {
   v1::ApplyEditsRequest request;
   v1::ClearEdit& clear = *request.add_edits()->mutable_clear();
   clear.mutable_sphere()->set_radius_m(50);
@@ -283,7 +283,7 @@ TEST_F(ApplyEditsTest, WhatIsClearedAndKeptClearStaysEmptyUntilItIsLifted) {
   EXPECT_GE(List().size(), 4u);
 }
 
-TEST_F(ApplyEditsTest, FieldsThatAreNotUsableAreNamedAllTogether) {
+TEST_F(ApplyEditsTest, AllInvalidFieldsAreNamedTogether) {
   v1::ApplyEditsRequest request;
   Add(request, ball);
   Add(request, "#x").mutable_delete_();
@@ -307,7 +307,7 @@ TEST_F(ApplyEditsTest, FieldsThatAreNotUsableAreNamedAllTogether) {
   }
 }
 
-TEST_F(ApplyEditsTest, AListBringsBackWhatWasDeletedBeforeAndGoesOnWithIt) {
+TEST_F(ApplyEditsTest, AListRestoresADeletedObjectAndEditsIt) {
   v1::ApplyEditsRequest gone;
   Add(gone, ball).mutable_delete_();
   Apply(gone);
@@ -354,7 +354,7 @@ TEST_F(ApplyEditsTest, TooManyEditsAreRefused) {
   EXPECT_OK(status);
 }
 
-TEST_F(ApplyEditsTest, ABackgroundIsSplitIntoThingsAndUndoPutsItBack) {
+TEST_F(ApplyEditsTest, ABackgroundIsSplitIntoThingsAndUndoRestoresIt) {
   v1::ApplyEditsRequest request;
   v1::SplitEdit& split = *Add(request, floor).mutable_split();
   split.mutable_plane()->mutable_normal()->set_x(1);

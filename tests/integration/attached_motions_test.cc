@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions of robots that carry things, many a call, and all that they meet: as the same checks one by one.
+// Batches of motions of robots that carry objects, with all their contacts: compared with the same checks one by one.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,14 +11,15 @@
 namespace dhpmap::testing {
 namespace {
 
-/// Where something that carries is at a waypoint. Of numbers that a float holds exactly.
+/// The pose of a carrier at a waypoint, in numbers that a float represents exactly.
 struct CarrierPose {
   float x, y, z;
-  float quaternion_z = 0;  ///< beside a w of 1; need not be of unit length
+  float quaternion_z = 0;  ///< with w = 1; need not be of unit length
 };
 
-// Three trajectories of three waypoints with a sphere, and what carries the ball and the box. Beside both, above floor
-// that was seen: the first lowers the ball into it, the second nothing, the third first the sphere and then the box.
+// Three trajectories of three waypoints, with a sphere and carriers of the ball and the box. Beside both, above
+// observed floor: the first lowers the ball into the floor, the second touches nothing, the third lowers first the
+// sphere and then the box.
 constexpr int kNumMotions = 3, kNumWaypoints = 3, kNumCarried = 2;
 constexpr float kX_m = 0.5f, kY_m = -0.75f;
 constexpr float kSphereZ_m[kNumMotions][kNumWaypoints] = {
@@ -51,7 +52,7 @@ class AttachedMotions : public MappedScene {
     ASSERT_FALSE(ball_.empty() || box_.empty());
   }
 
-  /// Ignores what nobody has seen, and has the ball and the box attached, each with its middle above what carries it.
+  /// Treats unobserved space as free, and attaches the ball and the box, each with its middle above its carrier.
   v1::CheckTrajectoryRequest Carrying() const {
     v1::CheckTrajectoryRequest request;
     request.set_map("maps/room");
@@ -86,8 +87,8 @@ class AttachedMotions : public MappedScene {
     }
     return request;
   }
-  /// Trajectory `b` as of a robot that is nothing but one of the parts: attached object `part`, or the sphere. What
-  /// else is attached is held up where it meets nothing.
+  /// Trajectory `b` of a robot that consists of one part only: attached object `part`, or the sphere. Other attached
+  /// objects are held up where they touch nothing.
   v1::CheckTrajectoryRequest OnePart(int b, int part) const {
     v1::CheckTrajectoryRequest request = Carrying();
     for (int a = 0; a < kNumCarried; ++a) {
@@ -116,7 +117,7 @@ double TimeOf(const v1::TrajectoryContact& contact) {
   return contact.waypoint() + static_cast<double>(contact.fraction());
 }
 
-TEST_F(AttachedMotions, ABatchIsItsTrajectoriesOneByOne) {
+TEST_F(AttachedMotions, ABatchAnswersLikeItsTrajectoriesOneByOne) {
   const v1::CheckTrajectoryResponse batch = Ask(Batch(0, kNumMotions));
   ASSERT_OK(status_) << ViolationOf(status_);
   ASSERT_EQ(batch.results_size(), kNumMotions);
@@ -137,7 +138,7 @@ TEST_F(AttachedMotions, ABatchIsItsTrajectoriesOneByOne) {
   EXPECT_TRUE(std::any_of(later.begin(), later.end(), [&](const auto& c) { return c.attached() == box_; }));
 }
 
-TEST_F(AttachedMotions, ABatchMeetsWhatEachOfItsPartsMeetsByItself) {
+TEST_F(AttachedMotions, ABatchTouchesWhatEachOfItsPartsTouchesAlone) {
   const v1::CheckTrajectoryResponse batch = Ask(Batch(0, kNumMotions));
   ASSERT_OK(status_);
   ASSERT_EQ(batch.results_size(), kNumMotions);
@@ -171,7 +172,7 @@ TEST_F(AttachedMotions, ABatchMeetsWhatEachOfItsPartsMeetsByItself) {
   }
 }
 
-TEST_F(AttachedMotions, AllContactsBeginWithTheFirstAreInTheirOrderAndNoMoreThanAskedFor) {
+TEST_F(AttachedMotions, AllContactsAreOrderedFromTheFirstAndLimitedToTheRequestedNumber) {
   v1::CheckTrajectoryRequest request = Batch(0, kNumMotions);
   const v1::CheckTrajectoryResponse all = Ask(request);
   request.set_max_contacts(2);
@@ -208,7 +209,7 @@ TEST_F(AttachedMotions, AllContactsBeginWithTheFirstAreInTheirOrderAndNoMoreThan
   }
 }
 
-TEST_F(AttachedMotions, PosesOfTheWrongNumberOrThatAreNoneAreNamed) {
+TEST_F(AttachedMotions, InvalidPosesAndWrongNumbersOfPosesAreNamed) {
   struct Case {
     std::function<void(v1::CheckTrajectoryRequest&)> spoil;
     std::string violation;

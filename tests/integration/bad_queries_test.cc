@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What no query can answer is refused by all of them alike, with the place and the item, also within a stream of
-// queries.
+// All queries refuse invalid input alike, with the field and the item, also within a stream of queries.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -14,7 +13,7 @@
 namespace dhpmap::testing {
 namespace {
 
-constexpr int kMostItems = 100;  // of a query, in this server
+constexpr int kMostItems = 100;  // of a query, for this server
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 class BadQueries : public MappedScene {
@@ -29,7 +28,7 @@ class BadQueries : public MappedScene {
     (void)stream_->Finish();
   }
 
-  // Each is sound.
+  // Valid requests.
   static v1::QueryPointsRequest Points() { return WithPoints<v1::QueryPointsRequest>(); }
   static v1::QueryDistancesRequest Distances() { return WithPoints<v1::QueryDistancesRequest>(); }
   static v1::CastRaysRequest Rays() {
@@ -73,7 +72,7 @@ class BadQueries : public MappedScene {
   static v1::SearchSubmapsRequest Search() { return OfRoom<v1::SearchSubmapsRequest>(); }
   static v1::QueryRelationsRequest Relations() { return OfRoom<v1::QueryRelationsRequest>(); }
 
-  /// visit(request) for a sound request of each query that takes options.
+  /// Calls visit(request) with a valid request of each query that takes options.
   template <typename Visit>
   static void ForEachWithOptions(const Visit& visit) {
     visit(Distances()), visit(Rays()), visit(Collisions()), visit(Packed()), visit(Rigid()), visit(Slice());
@@ -98,8 +97,8 @@ class BadQueries : public MappedScene {
     return server_->Call(&QueryStub::QueryDistanceGrid, r).status();
   }
 
-  /// Refused by the call and by a stream, which goes on, with the code, a reason, and a violation that begins like
-  /// this.
+  /// Expects that the call and a stream, which continues, refuse the request with the code, a reason, and a violation
+  /// with this beginning.
   template <typename Request>
   void ExpectRefused(const Request& request, grpc::StatusCode code, const std::string& violation) {
     SCOPED_TRACE(Request::descriptor()->name() + ": " + violation);
@@ -167,7 +166,7 @@ class BadQueries : public MappedScene {
   std::int64_t number_ = 0;
 };
 
-TEST_F(BadQueries, WhatIsSoundIsAnswered) {
+TEST_F(BadQueries, ValidQueriesAreAnswered) {
   EXPECT_OK(Ask(Points()));
   ForEachWithOptions([this](const auto& request) {
     const grpc::Status status = Ask(request);
@@ -175,7 +174,7 @@ TEST_F(BadQueries, WhatIsSoundIsAnswered) {
   });
 }
 
-TEST_F(BadQueries, MapsThatAreNoneAreRefusedByEachQuery) {
+TEST_F(BadQueries, InvalidMapsAreRefusedByEachQuery) {
   const auto of_map = [this](auto request) {
     request.set_map("maps/nowhere");
     const grpc::Status unknown = Ask(request);
@@ -190,7 +189,7 @@ TEST_F(BadQueries, MapsThatAreNoneAreRefusedByEachQuery) {
   ForEachWithOptions(of_map);
 }
 
-TEST_F(BadQueries, OptionsAreNamedWithTheItemByEachQuery) {
+TEST_F(BadQueries, EachQueryNamesInvalidOptionsAndTheirItem) {
   struct Case {
     std::function<void(v1::QueryOptions&)> spoil;
     std::string violation;
@@ -246,7 +245,7 @@ TEST_F(BadQueries, OptionsAreNamedWithTheItemByEachQuery) {
   }
 }
 
-TEST_F(BadQueries, OptionsOfSomeAreNamedByThoseThatTakeThem) {
+TEST_F(BadQueries, OptionsOfSomeQueriesAreNamedByThoseQueries) {
   struct Case {
     std::function<void(v1::QueryOptions&)> spoil;
     std::string violation;
@@ -284,7 +283,7 @@ TEST_F(BadQueries, OptionsOfSomeAreNamedByThoseThatTakeThem) {
   expect_all_refused(Packed()), expect_all_refused(Rigid());
 }
 
-TEST_F(BadQueries, ItemsOfEachQueryAreNamedByTheirNumber) {
+TEST_F(BadQueries, InvalidItemsOfEachQueryAreNamedByTheirNumber) {
   const auto spoilt = [](auto request, const auto& spoil) {
     spoil(request);
     return request;

@@ -8,7 +8,7 @@
 
 namespace dhpmap::testing {
 
-/// Keeps the writer of a map busy from here to the end of life.
+/// Keeps the writer of a map busy during its lifetime.
 class BusyWriter {
  public:
   explicit BusyWriter(OpenMap& session) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is in memory for clients has one bound, whichever way it came.
+// One budget bounds the memory of requests and answers, over every door.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -26,14 +26,14 @@ class InflightBytes : public ::testing::Test {
     ExpectNothingKept();
   }
 
-  /// So that what is of an old state is of nobody but who holds it.
+  /// Past states are not kept, so an old state is held by its readers only.
   static OpenMapOptions KeepsNoPast() {
     OpenMapOptions options;
     options.history.max_states = 0;
     return options;
   }
 
-  /// A call is freed a moment after its client has the answer.
+  /// The server frees a call a moment after the client has the answer.
   void ExpectNothingKept() {
     EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == 0; })) << budget_->used_bytes();
   }
@@ -53,7 +53,7 @@ class InflightBytes : public ::testing::Test {
   TestServer server_;
 };
 
-TEST_F(InflightBytes, WhatIsLargeIsRefusedWhileThereIsNoRoomAndWhatIsSmallAnswered) {
+TEST_F(InflightBytes, LargeRequestsAreRefusedWithoutMemoryAndSmallOnesAnswered) {
   ByteShare others(budget_.get());
   ASSERT_TRUE(others.Resize(kLimit_bytes));
   EXPECT_OK(Ask(100));
@@ -67,14 +67,14 @@ TEST_F(InflightBytes, WhatIsLargeIsRefusedWhileThereIsNoRoomAndWhatIsSmallAnswer
   ExpectNothingKept();
 }
 
-TEST_F(InflightBytes, AnswersThatNeverFitSayWhatToDo) {
+TEST_F(InflightBytes, AnAnswerThatCannotFitSaysWhatToDo) {
   const grpc::Status refused = Ask(100'000, /*is_packed=*/false);
   EXPECT_EQ(refused.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_EQ(ReasonOf(refused), "BAD_POINTS");
   EXPECT_OK(Ask(100'000)) << "packed they do";
 }
 
-TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
+TEST_F(InflightBytes, AnAnswerIsCountedUntilTheClientHasReadIt) {
   grpc::ClientContext context;
   v1::GetSubmapMeshRequest request;
   request.set_name("maps/room");
@@ -88,7 +88,7 @@ TEST_F(InflightBytes, AnAnswerStaysCountedUntilItIsTaken) {
   ExpectNothingKept();
 }
 
-/// A mesh of a map that goes on while it is read, and with it the need of room for the state that it shows.
+/// A mesh is streamed while its map changes, so the state that it shows needs memory of its own.
 class InflightStates : public InflightBytes {
  protected:
   explicit InflightStates(double to_take_last_s = 1e6) : InflightBytes(to_take_last_s) {}
@@ -102,24 +102,24 @@ class InflightStates : public InflightBytes {
     v1::GetSubmapMeshRequest request;
     request.set_name("maps/fine");
     grpc::ChannelArguments arguments;
-    arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);  // else gRPC takes megabytes for a client that reads nothing
+    arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);  // else gRPC buffers megabytes for a client that does not read
     arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
     const auto stub = v1::SubmapService::NewStub(grpc::CreateCustomChannel(
         "127.0.0.1:" + std::to_string(server_.grpc().port()), grpc::InsecureChannelCredentials(), arguments));
     mesh_ = stub->GetSubmapMesh(&context_, request);
     EXPECT_TRUE(mesh_->Read(&part_));
   }
-  /// The state takes room, of which others then take all there is.
+  /// Takes all memory that the pinned state leaves.
   void TakeAllRoom() {
     const std::size_t stream_bytes = budget_->used_bytes();
     ASSERT_GT(stream_bytes, 0u);
-    ASSERT_OK(Feed(server_, "fine", 0, 3));  // many blocks anew
+    ASSERT_OK(Feed(server_, "fine", 0, 3));  // creates many blocks
     EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() > stream_bytes; }))
         << "what only the old state has is counted";
     ASSERT_TRUE(Eventually([&] { return others_.Grow(kLimit_bytes - budget_->used_bytes()); }))
         << "a look may take some of it first";
   }
-  /// As a look does where there is no room: it counts what is left without the state.
+  /// Memory for the state was refused: then only the rest is counted.
   [[nodiscard]] bool IsAskedToLetGo() const { return budget_->used_bytes() < kLimit_bytes; }
 
   ByteShare others_{budget_.get()};
@@ -128,7 +128,7 @@ class InflightStates : public InflightBytes {
   v1::GetSubmapMeshResponse part_;
 };
 
-TEST_F(InflightStates, OfAMeshThatIsReadAreLetGoOfWithTheReasonOnceTheMapHasGoneOn) {
+TEST_F(InflightStates, AreReleasedWithAReasonWhenTheMapOfAStreamedMeshChanges) {
   TakeAllRoom();
   ASSERT_OK(Feed(server_, "fine", 3, 12));
   ASSERT_TRUE(Eventually([&] { return IsAskedToLetGo(); }));
@@ -146,7 +146,7 @@ class InflightStatesNobodyTakes : public InflightStates {
   InflightStatesNobodyTakes() : InflightStates(/*to_take_last_s=*/0) {}
 };
 
-TEST_F(InflightStatesNobodyTakes, AreLetGoOfOnceTheMapHasGoneOn) {
+TEST_F(InflightStatesNobodyTakes, AreReleasedWhenTheMapChanges) {
   TakeAllRoom();
   ASSERT_OK(Feed(server_, "fine", 0, 6));
   EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == others_.bytes(); }))
@@ -161,7 +161,7 @@ TEST_F(InflightStatesNobodyTakes, AreLetGoOfOnceTheMapHasGoneOn) {
   ExpectNothingKept();
 }
 
-TEST_F(InflightBytes, AStreamOfQueriesThatWasRefusedReadsOnAndKeepsNothingForAClientThatIsSilent) {
+TEST_F(InflightBytes, ARefusedStreamOfQueriesReadsOnAndHoldsNothingForASilentClient) {
   ByteShare others(budget_.get());
   ASSERT_TRUE(others.Resize(kLimit_bytes));
   grpc::ClientContext context;
@@ -192,9 +192,9 @@ TEST_F(InflightBytes, AStreamOfQueriesThatWasRefusedReadsOnAndKeepsNothingForACl
   EXPECT_OK(stream->Finish());
 }
 
-TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {
+TEST_F(InflightBytes, AFrameThatDoesNotFitIsRefusedAndTheStreamContinues) {
   const std::unique_ptr<MapStore> store = MakeMemoryStore();
-  const std::size_t too_few_bytes = DecodedBytes(TestFrame(0));  // the message is there as well
+  const std::size_t too_few_bytes = DecodedBytes(TestFrame(0));  // the message itself is counted, too
   TestServer server(*store, {}, {.inflight = std::make_shared<ByteBudget>(too_few_bytes)});
   ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
   Feeder feeder(server, "room");
@@ -209,7 +209,7 @@ TEST_F(InflightBytes, AFrameWithoutRoomIsRefusedAndTheStreamGoesOn) {
   EXPECT_OK(feeder.Finish());
 }
 
-TEST_F(InflightBytes, FramesHaveRoomWhateverOthersHold) {
+TEST_F(InflightBytes, FramesHaveABudgetOfTheirOwn) {
   ByteShare others(budget_.get());
   ASSERT_TRUE(others.Resize(kLimit_bytes));
   const FeedResult fed = Feed(server_, "room", 3, 20);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A chair that is carried off, as clients are told of it: whether it is there, since when, and what is left of its
-// shape.
+// A chair is removed. Clients learn whether it is present, since when, and what remains of its shape.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -28,7 +27,7 @@ class CarriedOff : public ::testing::Test {
   TestServer server{*store};
 };
 
-TEST_F(CarriedOff, GetAndListTellThatItIsAbsentWhenItWasLastSeenAndLookedThrough) {
+TEST_F(CarriedOff, GetAndListReturnItsAbsenceAndTheTimesOfItsViews) {
   WalkWithChair();
   const v1::Submap before = Chair();
   ASSERT_FALSE(before.name().empty());
@@ -60,7 +59,7 @@ TEST_F(CarriedOff, GetAndListTellThatItIsAbsentWhenItWasLastSeenAndLookedThrough
   EXPECT_GE(back.last_contradicted_stamp_ns(), after.last_contradicted_stamp_ns());
 }
 
-TEST_F(CarriedOff, AWatcherIsToldWhenItBecomesAbsentAndHoldsWhatAListSays) {
+TEST_F(CarriedOff, AWatcherReceivesItsAbsenceAndAgreesWithAList) {
   WalkWithChair();
   const v1::ListSubmapsResponse list = ListAll(*server.submaps, "room");
   const v1::Submap before = Chair();
@@ -90,14 +89,14 @@ TEST_F(CarriedOff, AWatcherIsToldWhenItBecomesAbsentAndHoldsWhatAListSays) {
   EXPECT_EQ(held.submaps(), HeldSubmaps(now).submaps());
 }
 
-/// On the sides and the top of the chair, with what reaches over its edges, but for what is near the floor.
+/// On the sides and the top of the chair, with a margin beyond its edges, except near the floor.
 bool IsOfTheChair(const Eigen::Vector3f& p) {
   const Eigen::Vector3d from_middle = p.cast<double>() - kChairMiddle_m;
   return p.z() > 0.16f && from_middle.x() > -0.31 && from_middle.x() < 0.31 && std::abs(from_middle.y()) < 0.31 &&
          from_middle.z() < 0.46;
 }
 
-/// Of the side that looks at the camera: around its surface, in the middle of its height.
+/// On the side that faces the camera: around its surface, at half its height.
 bool IsOfTheFront(const Eigen::Vector3f& p) {
   return p.x() < 1.53f && p.y() > 0.f && p.y() < 0.4f && p.z() > 0.3f && p.z() < 0.65f;
 }
@@ -121,7 +120,7 @@ TEST_F(CarriedOff, NoMeshHasASurfaceWhereItWas) {
   EXPECT_GT(elsewhere_now, elsewhere) << "all else is there, and what the chair hid";
 }
 
-/// Distance and weight of an object's voxels by their centres, to the millimetre.
+/// Distances and weights of an object's voxels by their centres, in millimetres.
 using VoxelsByPlace = std::map<std::array<long, 3>, std::array<float, 2>>;
 
 VoxelsByPlace StreamedVoxels(TestServer& server, const std::string& name) {
@@ -138,7 +137,7 @@ VoxelsByPlace StreamedVoxels(TestServer& server, const std::string& name) {
   return voxels;
 }
 
-TEST_F(CarriedOff, ItsVoxelsAreStreamedWithoutThoseThatWereLookedThrough) {
+TEST_F(CarriedOff, ItsVoxelsAreStreamedWithoutContradictedOnes) {
   WalkWithChair();
   const std::string chair = Chair().name();
   const VoxelsByPlace before = StreamedVoxels(server, chair);

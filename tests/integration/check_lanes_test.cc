@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks that take long go in pieces on a lane of their own: they hold up nobody, and end with whoever asked.
+// Long checks run in pieces on their own lane. They delay no other calls, and end when their client disconnects.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -30,7 +30,7 @@ class CheckLanes : public ::testing::Test {
       {.num_threads = 2, .num_bulk_threads = 1, .inflight = std::make_shared<ByteBudget>(kEnoughForAll_bytes)}};
 };
 
-/// Boxes of 10 m, padded by as much: each is near all of the map.
+/// Boxes of 10 m with a padding of 10 m: each is near the whole map.
 v1::CheckCollisionsRequest HugeBoxes(int num_boxes) {
   v1::CheckCollisionsRequest request;
   request.set_map("maps/room");
@@ -47,7 +47,7 @@ v1::CheckCollisionsRequest HugeBoxes(int num_boxes) {
   return request;
 }
 
-/// So many calls that check more than anybody waits for.
+/// A number of calls whose checks take longer than the test.
 class LongChecks {
  public:
   LongChecks(TestServer& server, int num_calls) : contexts_(static_cast<std::size_t>(num_calls)) {
@@ -80,8 +80,8 @@ class LongChecks {
   std::atomic<int> num_ended_ = 0;
 };
 
-TEST_F(CheckLanes, ChecksThatTakeLongHoldUpNeitherMeshesNorOtherChecks) {
-  constexpr int kLong = 6;  // more than there are threads for them
+TEST_F(CheckLanes, LongChecksDelayNeitherMeshesNorOtherChecks) {
+  constexpr int kLong = 6;  // more than there are threads for checks
   LongChecks checks(server_, kLong);
   EXPECT_TRUE(Eventually([&] { return server_.grpc().num_running_checks() == kLong; }));
   grpc::ClientContext mesh_context;
@@ -92,7 +92,7 @@ TEST_F(CheckLanes, ChecksThatTakeLongHoldUpNeitherMeshesNorOtherChecks) {
   while (mesh->Read(&part)) {
   }
   EXPECT_TRUE(mesh->Finish().ok());
-  v1::CheckCollisionsRequest small = HugeBoxes(300);  // too many to be quick
+  v1::CheckCollisionsRequest small = HugeBoxes(300);  // too many for a quick call
   small.mutable_options()->clear_padding();
   for (v1::Body& body : *small.mutable_bodies()) body.mutable_box()->mutable_size_m()->Clear();
   grpc::ClientContext context;
@@ -102,7 +102,7 @@ TEST_F(CheckLanes, ChecksThatTakeLongHoldUpNeitherMeshesNorOtherChecks) {
   EXPECT_EQ(checks.num_ended(), 0) << "they waited for some of them";
 }
 
-TEST_F(CheckLanes, ChecksEndAtTheirDeadlineAndWithTheirClient) {
+TEST_F(CheckLanes, ChecksEndAtTheirDeadlineOrWhenTheirClientDisconnects) {
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + std::chrono::milliseconds(300));
   v1::CheckCollisionsResponse response;
@@ -116,8 +116,8 @@ TEST_F(CheckLanes, ChecksEndAtTheirDeadlineAndWithTheirClient) {
   EXPECT_TRUE(server_.Stop().ok()) << "nothing is left that would hold up the end";
 }
 
-TEST_F(CheckLanes, FewHugeBodiesAreAnsweredAsManySmallOnesAre) {
-  v1::CheckCollisionsRequest request = HugeBoxes(200);  // so few are begun as a quick call is
+TEST_F(CheckLanes, ManyHugeBodiesAreAnsweredLikeOneAlone) {
+  v1::CheckCollisionsRequest request = HugeBoxes(200);  // few enough to begin as a quick call
   v1::CheckCollisionsResponse together, alone;
   {
     grpc::ClientContext context;

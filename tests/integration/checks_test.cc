@@ -10,7 +10,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// A mapped TestScene, and checks of bodies and motions in it through either channel.
+/// A mapped TestScene, and checks of bodies and motions through both channels.
 class ChecksTest : public ::testing::Test {
  protected:
   ChecksTest() {
@@ -84,7 +84,7 @@ TEST_F(ChecksTest, BodiesTouchTheSceneThroughBothDoors) {
   EXPECT_EQ(Check().packed().depth_m_size(), 0);
 }
 
-TEST_F(ChecksTest, UnseenSpaceIsInTheWayByDefault) {
+TEST_F(ChecksTest, UnseenSpaceBlocksByDefault) {
   AddSphere(30, 0, 1, 0.1);
   const v1::CollisionResult result = Check().results(0);
   EXPECT_TRUE(result.colliding());
@@ -98,7 +98,7 @@ TEST_F(ChecksTest, UnseenSpaceIsInTheWayByDefault) {
   EXPECT_EQ(Check().results_size(), 301) << "in the bulk lane";
 }
 
-TEST_F(ChecksTest, ARobotThatFallsOnTheBallIsStoppedThroughBothDoors) {
+TEST_F(ChecksTest, ARobotThatFallsOntoTheBallIsStoppedThroughBothDoors) {
   trajectory.mutable_options()->set_unknown_policy(v1::QueryOptions::FREE);
   v1::Sphere& sphere = *trajectory.add_robot();
   sphere.set_radius_m(0.1);
@@ -145,7 +145,7 @@ TEST_F(ChecksTest, ARobotThatFallsOnTheBallIsStoppedThroughBothDoors) {
   EXPECT_EQ(results.instance_id(0), contact.contact().instance_id());
 }
 
-TEST_F(ChecksTest, WhatIsAttachedIsNotInTheWayOfTheRobot) {
+TEST_F(ChecksTest, AnAttachedObjectDoesNotBlockItsRobot) {
   trajectory.mutable_options()->set_unknown_policy(v1::QueryOptions::FREE);
   trajectory.add_robot()->set_radius_m(0.1);
   trajectory.add_trajectories();

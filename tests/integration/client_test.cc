@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests' own client tells of a call, and what is said where something is not OK.
+// What the tests' client returns for a call, and the messages of failed assertions.
 #include "tests/support/client.h"
 
 #include <gtest/gtest-spi.h>
@@ -12,7 +12,7 @@
 namespace dhpmap::testing {
 namespace {
 
-TEST(IsOk, SaysWhatIsWrongOfEachKindOfStatus) {
+TEST(IsOk, DescribesTheErrorOfEachKindOfStatus) {
   EXPECT_TRUE(IsOk(Status::Ok()));
   EXPECT_TRUE(IsOk(Result<int>(3)));
   EXPECT_TRUE(IsOk(FeedResult()));
@@ -26,7 +26,7 @@ TEST(IsOk, SaysWhatIsWrongOfEachKindOfStatus) {
   }
 }
 
-TEST(Client, TellsTheStatusAsItCameAndFailsTheTestThatWantsMore) {
+TEST(Client, ReturnsTheStatusAndFailsATestThatReadsAMissingValue) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   ASSERT_OK_AND_ASSIGN(const auto made, server.Call(&MapStub::CreateMap, CreateRequest("room")));

@@ -11,7 +11,7 @@
 namespace dhpmap::testing {
 namespace {
 
-TEST(Concurrency, QueriesAndEditsDuringMappingSeeWholeStatesOfRisingRevision) {
+TEST(Concurrency, QueriesAndEditsDuringMappingSeeCompleteStatesOfRisingRevision) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {.publish = {.frames = 2}, .commit = {.frames = 3}});
   ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));

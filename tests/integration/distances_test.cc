@@ -12,7 +12,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// A mapped TestScene, and distances in it through either channel.
+/// A mapped TestScene, and distances in it through both channels.
 class DistancesTest : public ::testing::Test {
  protected:
   DistancesTest() {
@@ -37,7 +37,7 @@ class DistancesTest : public ::testing::Test {
   grpc::Status status;
 };
 
-TEST_F(DistancesTest, AreThoseOfTheSceneAndNameTheObject) {
+TEST_F(DistancesTest, AreThoseOfTheSceneAndNameTheirObject) {
   AddPoint(0, 0, 1.3);
   AddPoint(0, 0, 0.79);
   AddPoint(50, 0, 0);
@@ -72,7 +72,7 @@ TEST_F(DistancesTest, PackedAnswersAreTheSameInArraysAlsoInTheBulkLane) {
   }
 }
 
-TEST_F(DistancesTest, WithAToleranceTheyAreTooLongByThatAtMostAndNeverTooShort) {
+TEST_F(DistancesTest, WithAToleranceTheyExceedTheTruthByThatAtMostAndAreNeverShorter) {
   for (int i = 0; i < 4000; ++i) {
     const int column = i % 16, row = i / 16 % 16, layer = i / 256;
     AddPoint(0.02 * column, 0.02 * row, 0.7 + 0.04 * layer);
@@ -113,7 +113,7 @@ TEST_F(DistancesTest, FollowAnObjectThatIsMovedOrExcluded) {
   EXPECT_NE(Ask().results(0).instance_id(), before.instance_id());
 }
 
-TEST_F(DistancesTest, TheInsideOfAnObjectThatIsDeletedIsUnknownUnlessItIsToBeFree) {
+TEST_F(DistancesTest, TheInsideOfADeletedObjectIsUnknownUnlessVacatedSpaceCountsAsFree) {
   AddPoint(0, 0, 0.4);  // the centre of the ball
   const v1::DistanceResult before = Ask().results(0);
   EXPECT_EQ(before.status(), v1::QueryStatus::UNKNOWN);

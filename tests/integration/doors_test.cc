@@ -70,9 +70,9 @@ TEST(Doors, EveryRpcInTheDescriptorsIsImplemented) {
       const std::string path = "/" + method->service()->full_name() + "/" + method->name();
       const grpc::Status status = CallRaw(channel, path, "");
       EXPECT_NE(status.error_code(), grpc::UNIMPLEMENTED) << path;
-      // An empty request is a mistake of the client's, except where nothing is required.
+      // An empty request is invalid, except where no field is required.
       const bool needs_nothing =
-          method->name() == "ListMaps" || method->name() == "StreamQueries";  // says so in its answer
+          method->name() == "ListMaps" || method->name() == "StreamQueries";  // reports the error in its answer
       const bool needs_a_file = method->name() == "BackupMaps" || method->name() == "ImportMap";
       EXPECT_EQ(status.error_code(), needs_nothing  ? grpc::OK
                                      : needs_a_file ? grpc::FAILED_PRECONDITION
@@ -133,7 +133,7 @@ TEST(Doors, CreateMapNamesEveryBadFieldAtOnce) {
                                            "label_classes[1].kind"}));
 }
 
-TEST(Doors, MapsAreMadeListedCountedAndDeleted) {
+TEST(Doors, MapsAreCreatedListedCountedAndDeleted) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   for (const char* name : {"b", "a"}) {
@@ -182,7 +182,7 @@ TEST(Doors, BadPointsAreRefused) {
   EXPECT_NE(status.error_details().find("point 1"), std::string::npos);
 }
 
-TEST(Doors, AMessageAboveTheLimitIsRefusedAndTheServerStaysUp) {
+TEST(Doors, AMessageAboveTheLimitIsRefusedAndTheServerContinues) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {}, {.max_message_bytes = 1u << 20});
   v1::QueryPointsRequest request;
@@ -192,7 +192,7 @@ TEST(Doors, AMessageAboveTheLimitIsRefusedAndTheServerStaysUp) {
   EXPECT_OK(server.Call(&MapStub::ListMaps));
 }
 
-TEST(Doors, APortThatIsTakenIsAnError) {
+TEST(Doors, APortInUseIsAnError) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   const auto second =

@@ -23,18 +23,18 @@ struct AskedBeside {
   std::int64_t expected_revision = 0;
 };
 
-/// What a request was answered, without what differs between an edit that is made and one that is tried.
+/// The answer to a request, without the fields that differ between an edit and a trial.
 struct EditAnswer {
   std::string outcome = {};  ///< "OK", or the reason
   std::int64_t revision = 0;
-  std::string bytes = {};  ///< as it came
-  std::string told = {};   ///< but for revisions, etags and times
+  std::string bytes = {};  ///< as received
+  std::string told = {};   ///< without revisions, etags and times
 };
 
-/// One request that edits. Each is made after those before it in the list.
+/// A request that edits. Each is made after the earlier ones of the list.
 struct EditingRequest {
   std::string name;
-  std::string etag;  ///< that holds for it
+  std::string etag;  ///< valid for the edited object
   std::function<EditAnswer(const AskedBeside&)> ask;
 };
 
@@ -73,7 +73,7 @@ EditAnswer AnswerOf(const grpc::Status& status, Response response) {
   return answer;
 }
 
-/// A mapped room in which ben has edited everything once, and anna the name of the floor.
+/// A mapped room in which ben has edited everything once, and anna the floor's name.
 class EditFieldsTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -106,7 +106,7 @@ class EditFieldsTest : public ::testing::Test {
     const auto response = server.Call(&EditStub::ListEdits, "maps/room").value();
     return {response.edits().begin(), response.edits().end()};
   }
-  /// All that a client can read of the map.
+  /// Everything that a client can read of the map.
   std::string State() {
     std::string state = List().SerializeAsString() + GetMap().SerializeAsString();
     for (const v1::LoggedEdit& edit : Log()) state += edit.SerializeAsString();
@@ -141,7 +141,7 @@ class EditFieldsTest : public ::testing::Test {
     const auto answer = server.Call(method, request);
     return AnswerOf(answer.status(), *answer);
   }
-  /// A request that is made of nothing but a name in `set`, and what is asked beside.
+  /// A request with only a name in `set`, and the five fields.
   template <typename Stub, typename Request, typename Response, typename Set>
   std::function<EditAnswer(const AskedBeside&)> Named(Client::Unary<Stub, Request, Response> method, Set set) {
     return [this, method, set](const AskedBeside& beside) {
@@ -151,7 +151,7 @@ class EditFieldsTest : public ::testing::Test {
     };
   }
 
-  /// Calls visit(request) for one of each kind, which is to make it in the end.
+  /// Calls visit(request) for one request of each kind; visit must finally make the edit.
   void ForEachRequest(const std::function<void(const EditingRequest&)>& visit) {
     const auto run = [&](const std::string& name, const std::string& etag,
                          std::function<EditAnswer(const AskedBeside&)> ask) {
@@ -184,7 +184,7 @@ class EditFieldsTest : public ::testing::Test {
   std::int64_t mapped_revision = 0;
 };
 
-TEST_F(EditFieldsTest, WhatIsValidatedOnlyIsAnsweredAsTheEditWouldBeAndChangesNothing) {
+TEST_F(EditFieldsTest, ATrialIsAnsweredLikeTheEditAndChangesNothing) {
   ForEachRequest([this](const EditingRequest& request) {
     const std::string before = State();
     const std::int64_t revision = Revision();
@@ -199,7 +199,7 @@ TEST_F(EditFieldsTest, WhatIsValidatedOnlyIsAnsweredAsTheEditWouldBeAndChangesNo
   });
 }
 
-TEST_F(EditFieldsTest, WhatIsTriedHasNoEtagThatALaterStateMayHave) {
+TEST_F(EditFieldsTest, ATrialReturnsNoEtagThatALaterStateMayHave) {
   v1::UpdateSubmapRequest request;
   request.mutable_submap()->set_name(ball);
   request.mutable_submap()->set_display_name("lamp");
@@ -209,12 +209,12 @@ TEST_F(EditFieldsTest, WhatIsTriedHasNoEtagThatALaterStateMayHave) {
   EXPECT_EQ(response.submap().display_name(), "lamp");
   EXPECT_EQ(response.submap().etag(), "");
   EXPECT_EQ(response.submap().revision(), 0);
-  request.mutable_submap()->set_display_name("of ben");  // as it is
+  request.mutable_submap()->set_display_name("of ben");  // its present name
   ASSERT_OK_AND_ASSIGN(response, server.Call(&SubmapStub::UpdateSubmap, request));
   EXPECT_EQ(response.submap().etag(), EtagNow(ball)) << "what would not change keeps its own";
 }
 
-TEST_F(EditFieldsTest, WhatIsSentAgainIsAnsweredTheSameAndIsInTheLogOnceUnderItsAuthor) {
+TEST_F(EditFieldsTest, ARepeatedRequestGetsTheSameAnswerAndIsLoggedOnceUnderItsAuthor) {
   int number = 10;
   ForEachRequest([&](const EditingRequest& request) {
     const std::string id = NumberedUuid(++number);
@@ -235,7 +235,7 @@ TEST_F(EditFieldsTest, WhatIsSentAgainIsAnsweredTheSameAndIsInTheLogOnceUnderIts
   });
 }
 
-TEST_F(EditFieldsTest, AnEtagDecidesWhetherItIsMade) {
+TEST_F(EditFieldsTest, AnEditWithAnOldEtagIsNotMade) {
   ForEachRequest([this](const EditingRequest& request) {
     const std::string before = State();
     EXPECT_EQ(request.ask({.etag = "0123456789abcdef-r1"}).outcome, "ETAG_MISMATCH");
@@ -245,7 +245,7 @@ TEST_F(EditFieldsTest, AnEtagDecidesWhetherItIsMade) {
   });
 }
 
-TEST_F(EditFieldsTest, ARevisionThatIsExpectedDecidesWhetherItIsMade) {
+TEST_F(EditFieldsTest, AnEditWithAnOldExpectedRevisionIsNotMade) {
   ForEachRequest([this](const EditingRequest& request) {
     const std::string before = State();
     EXPECT_EQ(request.ask({.expected_revision = mapped_revision}).outcome, "EDITED_SINCE") << "by ben or anna";
@@ -256,7 +256,7 @@ TEST_F(EditFieldsTest, ARevisionThatIsExpectedDecidesWhetherItIsMade) {
   });
 }
 
-TEST_F(EditFieldsTest, ANegativeRevisionIsNone) {
+TEST_F(EditFieldsTest, ANegativeExpectedRevisionIsInvalid) {
   ForEachRequest([this](const EditingRequest& request) {
     const std::string before = State();
     EXPECT_EQ(request.ask({.expected_revision = -1}).outcome, "BAD_EDIT");
@@ -266,7 +266,7 @@ TEST_F(EditFieldsTest, ANegativeRevisionIsNone) {
   });
 }
 
-TEST_F(EditFieldsTest, FramesAndEditsOfOthersThanWhatIsNamedDoNotCount) {
+TEST_F(EditFieldsTest, FramesAndEditsOfOtherObjectsDoNotCount) {
   ASSERT_EQ(ApplyRename(floor, "carpet", {}).outcome, "OK");
   const std::int64_t known = Revision();
   ASSERT_OK(Feed(server, "room", 12, 16));
@@ -279,7 +279,7 @@ TEST_F(EditFieldsTest, FramesAndEditsOfOthersThanWhatIsNamedDoNotCount) {
   EXPECT_EQ(RenameMap("away", {.expected_revision = known}).outcome, "EDITED_SINCE");
 }
 
-TEST_F(EditFieldsTest, AnUndoOfTheMapsNameIsAnEditOfTheMap) {
+TEST_F(EditFieldsTest, UndoingARenameOfTheMapIsAnEditOfTheMap) {
   ASSERT_EQ(RenameMap("home", {}).outcome, "OK");
   const std::int64_t known = Revision();
   v1::UndoEditsRequest undo = With({}, v1::UndoEditsRequest());

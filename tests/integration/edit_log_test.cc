@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits that are sent again, and the log of all of them.
+// Retried edits, and the log of all edits.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -23,7 +23,7 @@ std::string Uuid(int number) {
   return text.replace(text.size() - digits.size(), digits.size(), digits);
 }
 
-/// A mapped room in a database file, whose server can be started anew.
+/// A mapped room in a database file, whose server can be restarted.
 class EditLogTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -83,7 +83,7 @@ class EditLogTest : public ::testing::Test {
   std::atomic<std::int64_t> now_ns = 1'800'000'000'000'000'000;  ///< the system's clock
 };
 
-TEST_F(EditLogTest, ARetryIsAnsweredTheSameAndMadeOnce) {
+TEST_F(EditLogTest, ARetryGetsTheSameAnswerAndIsMadeOnce) {
   v1::CloneSubmapRequest request;
   request.set_name("maps/room/submaps/1");
   request.set_request_id(Uuid(1));
@@ -100,7 +100,7 @@ TEST_F(EditLogTest, ARetryIsAnsweredTheSameAndMadeOnce) {
   EXPECT_EQ(Log().size(), 1u);
 }
 
-TEST_F(EditLogTest, ARetryIsMadeOnceWhateverTheClockWasSetToSince) {
+TEST_F(EditLogTest, ARetryIsMadeOnceEvenIfTheClockWasSetMeanwhile) {
   constexpr std::int64_t kDay_ns = 86'400'000'000'000;
   const v1::ApplyEditsRequest request = Rename("lamp", Uuid(1));
   const v1::ApplyEditsResponse first = Apply(request);
@@ -120,7 +120,7 @@ TEST_F(EditLogTest, ARetryIsMadeOnceWhateverTheClockWasSetToSince) {
   for (const v1::LoggedEdit& edit : log) EXPECT_TRUE(edit.reversible()) << edit.revision();
 }
 
-TEST_F(EditLogTest, ARetryIsNotAskedForItsEtag) {
+TEST_F(EditLogTest, ARetrysEtagIsNotChecked) {
   v1::ApplyEditsRequest request = Rename("lamp", Uuid(2));
   ASSERT_OK_AND_ASSIGN(const auto got, server->Call(&SubmapStub::GetSubmap, "maps/room/submaps/1"));
   request.mutable_edits(0)->set_etag(got.submap().etag());
@@ -131,7 +131,7 @@ TEST_F(EditLogTest, ARetryIsNotAskedForItsEtag) {
   EXPECT_EQ(second.SerializeAsString(), first.SerializeAsString());
 }
 
-TEST_F(EditLogTest, AnotherRequestUnderTheSameIdIsRefused) {
+TEST_F(EditLogTest, AnotherRequestWithTheSameIdIsRefused) {
   Apply(Rename("lamp", Uuid(3)));
   ASSERT_OK(status);
   const std::int64_t revision = Revision();
@@ -179,7 +179,7 @@ TEST_F(EditLogTest, IsListedByObject) {
   EXPECT_EQ(server->Call(&EditStub::ListEdits, request).reason(), "BAD_FILTER");
 }
 
-TEST_F(EditLogTest, AFailureIsNotKept) {
+TEST_F(EditLogTest, AFailedOrTriedEditLeavesItsIdFree) {
   v1::ApplyEditsRequest request = Rename("lamp", Uuid(4));
   request.mutable_edits(0)->set_submap("maps/room/submaps/99");
   Apply(request);
@@ -193,7 +193,7 @@ TEST_F(EditLogTest, AFailureIsNotKept) {
   EXPECT_EQ(Log().size(), 1u) << "what was only tried is no edit";
 }
 
-TEST_F(EditLogTest, OfTwoAtOnceTheSecondWaits) {
+TEST_F(EditLogTest, TheSecondOfTwoEqualRequestsWaitsForTheFirst) {
   std::vector<std::future<std::string>> answers;
   for (int i = 0; i < 8; ++i) {
     answers.push_back(std::async(std::launch::async, [this] {
@@ -210,7 +210,7 @@ TEST_F(EditLogTest, OfTwoAtOnceTheSecondWaits) {
   EXPECT_EQ(Log().size(), 1u);
 }
 
-TEST_F(EditLogTest, TheLogSaysWhoDidWhatAndComesInPages) {
+TEST_F(EditLogTest, TheLogNamesAuthorsAndActionsAndIsPaged) {
   v1::ApplyEditsRequest list = Rename("lamp", Uuid(7));
   v1::Edit& clone = *list.add_edits();
   clone.set_submap("maps/room/submaps/1");
@@ -238,7 +238,7 @@ TEST_F(EditLogTest, TheLogSaysWhoDidWhatAndComesInPages) {
   EXPECT_TRUE(Log("ben").empty());
 }
 
-TEST_F(EditLogTest, AnUndoIsAnEditOfItsOwnThatIsRepeatedSafely) {
+TEST_F(EditLogTest, AnUndoIsAnEditAndIsSafelyRetried) {
   Apply(Rename("lamp", ""));
   Apply(Rename("sofa", ""));
   v1::UndoEditsRequest undo;
@@ -268,7 +268,7 @@ TEST_F(EditLogTest, AnUndoIsAnEditOfItsOwnThatIsRepeatedSafely) {
   EXPECT_EQ(server->Call(&EditStub::UndoEdits, undo).reason(), "NOTHING_TO_UNDO");
 }
 
-TEST_F(EditLogTest, WhatMappingAddsMeanwhileStays) {
+TEST_F(EditLogTest, AnUndoKeepsWhatMappingHasAddedSince) {
   v1::DeleteSubmapRequest gone;
   gone.set_name("maps/room/submaps/1");
   gone.set_author("anna");
@@ -284,8 +284,8 @@ TEST_F(EditLogTest, WhatMappingAddsMeanwhileStays) {
   EXPECT_EQ(report->num_faults, 0);
 }
 
-/// Each applied once: a rename makes a revision each time it is made.
-TEST_F(EditLogTest, AThousandRetriedEditsOverALinkThatIsCutAreEachMadeOnce) {
+/// Each edit is applied once: every rename that is made adds a revision.
+TEST_F(EditLogTest, AThousandRetriedEditsOverAnUnreliableLinkAreEachMadeOnce) {
   constexpr int kNumEdits = 1000;
   std::mt19937 random(5);
   const std::int64_t before = Revision();
@@ -293,7 +293,7 @@ TEST_F(EditLogTest, AThousandRetriedEditsOverALinkThatIsCutAreEachMadeOnce) {
   int num_lost = 0;
   std::shared_ptr<grpc::Channel> channel;
   for (int i = 0; i < kNumEdits; ++i) {
-    if (i == kNumEdits / 2) {  // an id lives longer than the server
+    if (i == kNumEdits / 2) {  // ids survive a restart
       channel = nullptr;
       proxy = nullptr;
       Stop();

@@ -65,7 +65,7 @@ class EditTest : public ::testing::Test {
   v1::Submap ball, box, floor;
 };
 
-TEST_F(EditTest, AMovedObjectIsAnsweredWhereItIsNow) {
+TEST_F(EditTest, QueriesFindAMovedObjectAtItsNewPlace) {
   ASSERT_EQ(InstanceAt(0, 0, 0.79), ball.instance_id());
   ball.mutable_map_from_submap()->mutable_translation_m()->set_y(5);
   const v1::Submap moved = Update(ball, {"map_from_submap"});
@@ -74,10 +74,10 @@ TEST_F(EditTest, AMovedObjectIsAnsweredWhereItIsNow) {
   EXPECT_NEAR(moved.bounding_sphere().center_m().y(), ball.bounding_sphere().center_m().y() + 5, 1e-9);
   EXPECT_NE(InstanceAt(0, 0, 0.79), ball.instance_id());
   EXPECT_EQ(InstanceAt(0, 5, 0.79), ball.instance_id());
-  EXPECT_EQ((*store->LoadMap("room"))->revision(), moved.revision());  // durable when it is answered
+  EXPECT_EQ((*store->LoadMap("room"))->revision(), moved.revision());  // durable before the answer
 }
 
-TEST_F(EditTest, PartOfAPoseLeavesTheRest) {
+TEST_F(EditTest, APartialPoseKeepsTheRest) {
   v1::Submap turned;
   turned.set_name(ball.name());
   turned.mutable_map_from_submap()->mutable_rotation()->set_z(1);  // half a turn
@@ -92,12 +92,12 @@ TEST_F(EditTest, PartOfAPoseLeavesTheRest) {
   EXPECT_NEAR(std::abs(moved.map_from_submap().rotation().z()), 1, 1e-9);
 }
 
-TEST_F(EditTest, RelabelAndRenameStayThroughMoreMapping) {
+TEST_F(EditTest, RelabelAndRenameSurviveFurtherMapping) {
   v1::Submap wanted;
   wanted.set_name(ball.name());
   wanted.set_class_id(2);
   wanted.set_display_name("beach ball");
-  Update(wanted, {});  // without a mask: what is set
+  Update(wanted, {});  // without a mask: the fields that are set
   ASSERT_OK(status);
   ASSERT_OK(Feed(server, "room", 12, 16));
   const v1::Submap now = Get(ball.name());
@@ -133,7 +133,7 @@ TEST_F(EditTest, ACloneHasItsOwnIdAndPlaceAndSharesTheShape) {
   EXPECT_EQ(InstanceAt(1.2, -3.7, 0.59), clone.instance_id());
 }
 
-TEST_F(EditTest, ADeletedObjectIsGoneAndItsIdIsNotUsedAgain) {
+TEST_F(EditTest, ADeletedObjectsIdIsNotReused) {
   Delete(box.name(), box.etag());
   ASSERT_OK(status);
   Get(box.name());
@@ -157,7 +157,7 @@ TEST_F(EditTest, AnOldEtagIsAborted) {
   EXPECT_EQ(Get(ball.name()).display_name(), "a");
 }
 
-TEST_F(EditTest, WhatCannotBeEditedIsRefusedWithItsReason) {
+TEST_F(EditTest, ImpossibleEditsAreRefusedWithAReason) {
   v1::Submap submap;
   submap.set_name("maps/room/submaps/0");
   submap.set_display_name("x");
@@ -202,7 +202,7 @@ TEST_F(EditTest, ErrorsCarryTheirReasonAndFields) {
   EXPECT_EQ(BadFieldOf(status), "class_id");
 }
 
-TEST_F(EditTest, WhatIsAPartOfAnotherIsAnsweredWithItsNameOverARestart) {
+TEST_F(EditTest, AMergedObjectIsAnsweredWithItsSuccessorAlsoAfterARestart) {
   std::promise<bool> merged;
   const auto session = server.registry().GetOpen("room");
   ASSERT_OK(session);

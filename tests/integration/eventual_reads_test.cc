@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two servers on one store: one writes a map, the other answers reads of it from a copy, and watches of it.
+// Two servers on one store. One writes a map; the other answers reads and watches of it from a copy.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -30,7 +30,7 @@ class EventualReads : public ::testing::Test {
     request.set_consistency(v1::Consistency::EVENTUAL);
     return request;
   }
-  /// What a server answers, or its reason.
+  /// A server's answer, or the reason of its error.
   template <typename Stub, typename Request, typename Response>
   static std::string Tell(TestServer& server, Client::Unary<Stub, Request, Response> method, const Request& request) {
     const auto answer = server.Call(method, request);
@@ -46,7 +46,7 @@ class EventualReads : public ::testing::Test {
   }
 
   using Reading = std::function<std::string(TestServer&)>;
-  /// Every way to read a map, but for statistics, which tell of the disk.
+  /// Every way to read a map, except statistics, which depend on the disk.
   static std::map<std::string, Reading> Readings() {
     const auto of = []<typename Stub, typename Request, typename Response>(
                         Client::Unary<Stub, Request, Response> method, const Request& request) -> Reading {
@@ -89,7 +89,7 @@ class EventualReads : public ::testing::Test {
             {"Relations", of(&QueryStub::QueryRelations, Eventual<v1::QueryRelationsRequest>(map))}};
   }
 
-  /// An edit at the owner; the map's revision then.
+  /// Makes an edit at the owner; returns the map's new revision.
   std::int64_t Rename(const std::string& name) {
     v1::ApplyEditsRequest request;
     request.set_map("maps/room");
@@ -111,7 +111,7 @@ class EventualReads : public ::testing::Test {
   std::unique_ptr<TestServer> owner, reader;
 };
 
-TEST_F(EventualReads, OfAnotherServersMapAreAnsweredAsByItsOwner) {
+TEST_F(EventualReads, OfAnotherServersMapEqualItsOwnersAnswers) {
   for (int step = 0; step < 3; ++step) {
     const std::int64_t revision = Rename("lamp " + std::to_string(step));
     EXPECT_EQ(reader->Call(&QueryStub::QueryPoints, PointsFrom(revision)).value().revision(), revision);
@@ -135,7 +135,7 @@ TEST_F(EventualReads, NeverGoBackAndCatchUpWithMinRevision) {
   }
 }
 
-TEST_F(EventualReads, OfAStreamStayAtWhatItHasPinned) {
+TEST_F(EventualReads, OfAStreamStayAtItsPinnedRevision) {
   grpc::ClientContext context;
   const auto stream = reader->queries->StreamQueries(&context);
   const auto ask = [&stream](const v1::StreamQueriesRequest& request) {
@@ -158,7 +158,7 @@ TEST_F(EventualReads, OfAStreamStayAtWhatItHasPinned) {
   EXPECT_OK(stream->Finish());
 }
 
-TEST_F(EventualReads, OfAMapThatIsNotThereAreNotFound) {
+TEST_F(EventualReads, OfAMissingMapAreNotFound) {
   const auto answer = reader->Call(&SubmapStub::ListSubmaps, Eventual<v1::ListSubmapsRequest>("maps/attic"));
   EXPECT_EQ(answer.reason(), "MAP_NOT_FOUND");
 }
@@ -168,7 +168,7 @@ TEST_F(EventualReads, OfASingleServerAreThePresentState) {
   EXPECT_EQ(owner->Call(&QueryStub::QueryPoints, PointsFrom(0)).value().revision(), revision);
 }
 
-TEST_F(EventualReads, AWatchOfAnotherServersMapTellsOfItsCommits) {
+TEST_F(EventualReads, AWatchOfAnotherServersMapReceivesItsCommits) {
   Watcher watcher(*reader, "room", 0);
   v1::WatchMapResponse message;
   ASSERT_TRUE(watcher.Read(message)) << "where it begins";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What those who watch a map are told of the files that go out.
+// What watchers of a map receive about exports.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -19,10 +19,10 @@ namespace {
 
 constexpr int kNumParts = 50;
 constexpr std::int64_t kPart_bytes = 1000;
-/// More than fit in all windows and buffers on the way to a client that does not read.
+/// More than the windows and buffers on the way to a client that does not read.
 constexpr int kEndless = 1'000'000;
 
-/// Each part waits until it may go.
+/// Each part waits for Let.
 class GatedFile final : public StoreBackup {
  public:
   GatedFile(std::counting_semaphore<>& gate, int num_parts) : gate_(gate), num_parts_(num_parts) {}
@@ -38,14 +38,14 @@ class GatedFile final : public StoreBackup {
   int num_read_ = 0;
 };
 
-/// A memory store that has files to give, part by part.
+/// A memory store whose export files are read part by part.
 class GatedStore final : public testing::WrappedStore {
  public:
-  /// So many parts more may be read.
+  /// Allows `num_parts` more parts to be read.
   void Let(int num_parts) { gate_.release(num_parts); }
-  /// Of files that are made from now on.
+  /// Of files opened from now on.
   void set_num_parts(int num_parts) { num_parts_ = num_parts; }
-  /// Files are never made: whoever asks for one waits until they go away.
+  /// Files are never ready: an export waits until its client disconnects.
   void set_never_made() { is_never_made_ = true; }
 
   Result<std::unique_ptr<StoreBackup>> Backup(const std::stop_token& stop) override { return Make(stop); }
@@ -75,9 +75,9 @@ class ExportProgressTest : public ::testing::Test {
       EXPECT_OK(server.Call(&MapStub::CreateMap, CreateRequest(name)));
     }
   }
-  ~ExportProgressTest() override { store.Let(10 * kNumParts); }  // so that nobody waits
+  ~ExportProgressTest() override { store.Let(10 * kNumParts); }  // so that no thread waits
 
-  /// Has been told where it begins; says nothing by itself for minutes.
+  /// Has received its starting position; sends no sign of life for minutes.
   std::unique_ptr<Watcher> Watch(const std::string& map) {
     v1::WatchMapRequest request;
     request.set_map("maps/" + map);
@@ -93,7 +93,7 @@ class ExportProgressTest : public ::testing::Test {
     request.set_name("maps/room");
     return server.maps->ExportMap(&context, request);
   }
-  /// The first that is told with so many bytes done, or more, at this stage.
+  /// The first message of this stage with at least so many bytes.
   v1::ExportProgress Await(Watcher& watcher, v1::ExportProgress::Stage stage, std::int64_t least_bytes = 0) {
     while (watcher.Read(last)) {
       ++num_told;
@@ -111,7 +111,7 @@ class ExportProgressTest : public ::testing::Test {
   int num_told = 0;
 };
 
-TEST_F(ExportProgressTest, AWatcherIsToldThatAFileGoesOutHowFarItIsAndItsEnd) {
+TEST_F(ExportProgressTest, AWatcherReceivesStartProgressAndEndOfAnExport) {
   const auto watcher = Watch("room"), other = Watch("hall");
   grpc::ClientContext context;
   const auto reader = Export(context);
@@ -146,7 +146,7 @@ TEST_F(ExportProgressTest, AWatcherIsToldThatAFileGoesOutHowFarItIsAndItsEnd) {
   EXPECT_EQ(backup->Finish().error_code(), grpc::CANCELLED);
 }
 
-TEST_F(ExportProgressTest, OneWhoseCallerHangsUpIsOver) {
+TEST_F(ExportProgressTest, AnExportEndsWhenItsClientDisconnects) {
   store.set_num_parts(kEndless);
   const auto watcher = Watch("room");
   grpc::ClientContext context;
@@ -157,19 +157,19 @@ TEST_F(ExportProgressTest, OneWhoseCallerHangsUpIsOver) {
   const std::int64_t id = Await(*watcher, Stage::SENDING, kPart_bytes).id();
   context.TryCancel();
   EXPECT_EQ(reader->Finish().error_code(), grpc::CANCELLED);
-  store.Let(kEndless / 2);  // until the server hears of it, it reads on: nothing says how far
+  store.Let(kEndless / 2);  // the server reads on until it notices: the number of parts is open
   const v1::ExportProgress left = Await(*watcher, Stage::CANCELLED);
   EXPECT_EQ(left.id(), id);
   EXPECT_LT(left.done_bytes(), left.total_bytes());
   EXPECT_EQ(last.progress().num_exports(), 0);
 }
 
-TEST_F(ExportProgressTest, OneWhoseCallerHangsUpWhileTheServerHasReadFarAheadIsOver) {
+TEST_F(ExportProgressTest, AnExportEndsWhenItsClientDisconnectsWhileTheServerReadsAhead) {
   store.set_num_parts(kEndless);
   const auto watcher = Watch("room");
   grpc::ClientContext context;
   const auto reader = Export(context);
-  store.Let(kNumParts);  // which fit on the way: nobody reads them
+  store.Let(kNumParts);  // they fit into the buffers on the way, unread
   (void)Await(*watcher, Stage::SENDING, kNumParts * kPart_bytes);
   context.TryCancel();
   EXPECT_EQ(reader->Finish().error_code(), grpc::CANCELLED);
@@ -177,7 +177,7 @@ TEST_F(ExportProgressTest, OneWhoseCallerHangsUpWhileTheServerHasReadFarAheadIsO
   EXPECT_LT(Await(*watcher, Stage::CANCELLED).done_bytes(), kEndless * kPart_bytes);
 }
 
-TEST_F(ExportProgressTest, OneWhoseCallerHangsUpBeforeThereIsAFileIsOver) {
+TEST_F(ExportProgressTest, AnExportEndsWhenItsClientDisconnectsBeforeTheFileIsReady) {
   store.set_never_made();
   const auto watcher = Watch("room");
   grpc::ClientContext context;
@@ -189,7 +189,7 @@ TEST_F(ExportProgressTest, OneWhoseCallerHangsUpBeforeThereIsAFileIsOver) {
   EXPECT_EQ(Await(*watcher, Stage::CANCELLED).id(), prepared.id());
 }
 
-TEST_F(ExportProgressTest, WhoComesLaterIsToldOfWhatIsUnderWayAndOfNoEarlierEnd) {
+TEST_F(ExportProgressTest, ALaterWatcherReceivesRunningExportsOnly) {
   v1::ExportMapResponse part;
   {
     grpc::ClientContext context;

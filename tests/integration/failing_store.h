@@ -13,7 +13,7 @@
 
 namespace dhpmap::testing {
 
-/// A memory store whose disk can be full for a while. Thread-safe.
+/// A memory store whose disk can fill up for a while. Thread-safe.
 class FailingStore final : public WrappedStore {
  public:
   void set_full(bool is_full) { is_full_ = is_full; }
@@ -50,7 +50,7 @@ class FailingStore final : public WrappedStore {
       const MutexLock lock(mutex_);
       run_ = std::move(run);
     }
-    /// Several at once, if need be.
+    /// May run on several threads at once.
     void Run() {
       std::function<void()> run;
       {

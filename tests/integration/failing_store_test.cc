@@ -21,18 +21,18 @@ class FailingStoreTest : public ::testing::Test {
   }
 
   FailingStore store;
-  // Every frame is committed, and retries come at once: the test need not wait.
+  // Every frame is committed, and retries follow at once, so the test does not wait.
   TestServer server{store, {.publish = {.frames = 1}, .commit = {.frames = 1, .retry_s = 0.01}}};
 };
 
-TEST_F(FailingStoreTest, AFullDiskIsReportedAndLosesNothing) {
+TEST_F(FailingStoreTest, AFullDiskIsReportedAndNothingIsLost) {
   ASSERT_OK(Feed(server, "room", 0, 4));
   store.set_full(true);
   const FeedResult fed = Feed(server, "room", 4, 12);
   EXPECT_EQ(fed.status.error_code(), grpc::RESOURCE_EXHAUSTED) << fed.status.error_message();
   ASSERT_EQ(fed.acks.size(), 8u);
   for (const auto& ack : fed.acks) {
-    EXPECT_EQ(ack.error().code(), 0);  // fused all the same
+    EXPECT_EQ(ack.error().code(), 0);  // fused nevertheless
     EXPECT_FALSE(ack.committed());
   }
   EXPECT_EQ(store.GetMap("room")->info.num_frames, 4);
@@ -67,7 +67,7 @@ TEST_F(FailingStoreTest, AcknowledgementsSayThatTheStoreIsBehind) {
   EXPECT_OK(stream->Finish());
 }
 
-TEST_F(FailingStoreTest, IsTriedAgainWithoutBeingAsked) {
+TEST_F(FailingStoreTest, IsRetriedByTheServerItself) {
   store.set_full(true);
   EXPECT_FALSE(Feed(server, "room", 0, 2).status.ok());
   const int refused = store.num_refused();
@@ -76,7 +76,7 @@ TEST_F(FailingStoreTest, IsTriedAgainWithoutBeingAsked) {
   EXPECT_TRUE(Eventually([&] { return store.GetMap("room")->info.num_frames == 2; }));
 }
 
-TEST_F(FailingStoreTest, AMapThatCannotBeMadeOrDeletedStaysAsItWas) {
+TEST_F(FailingStoreTest, AFailedCreationOrDeletionChangesNothing) {
   store.set_full(true);
   EXPECT_EQ(server.Call(&MapStub::CreateMap, CreateRequest("hall")).code(), grpc::RESOURCE_EXHAUSTED);
   EXPECT_EQ(server.Call(&MapStub::DeleteMap, "maps/room").code(), grpc::RESOURCE_EXHAUSTED);
@@ -85,7 +85,7 @@ TEST_F(FailingStoreTest, AMapThatCannotBeMadeOrDeletedStaysAsItWas) {
   EXPECT_OK(Feed(server, "room", 0, 1));
 }
 
-TEST_F(FailingStoreTest, ShutdownSaysThatTheLastStateIsLost) {
+TEST_F(FailingStoreTest, ShutdownReportsThatTheLastStateIsLost) {
   ASSERT_OK(Feed(server, "room", 0, 1));
   store.set_full(true);
   EXPECT_FALSE(Feed(server, "room", 1, 2).status.ok());

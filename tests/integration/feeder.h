@@ -12,14 +12,14 @@
 
 namespace dhpmap::testing {
 
-/// What the first message of a stream may say.
+/// Fields of a stream's first message.
 struct Opening {
   std::string session = {};
   bool take_over = false;
   bool refuse_implausible = false;
 };
 
-/// One stream of frames of TestScene, message by message. Cancelled at the end of life, if it goes on.
+/// A stream of frames of TestScene, message by message. The destructor cancels it if it still runs.
 class Feeder {
  public:
   using Ack = v1::IntegrateFramesResponse;
@@ -37,7 +37,7 @@ class Feeder {
     if (is_open_) context_.TryCancel(), (void)Finish();
   }
 
-  /// The first message, without a frame; its answer.
+  /// Sends the first message, without a frame; returns its answer.
   std::optional<Ack> Greet() {
     stream_->Write(std::exchange(first_, {}));
     return Read();
@@ -65,7 +65,7 @@ class Feeder {
   }
   void HalfClose() { stream_->WritesDone(); }
   void Cancel() { context_.TryCancel(); }
-  /// Reads the answers that are left, the last of which is kept, and waits for the end.
+  /// Reads the remaining answers, keeps the last one, and waits for the end.
   grpc::Status Finish() {
     while (auto ack = Read()) last_ = *ack;
     is_open_ = false;

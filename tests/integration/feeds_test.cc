@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client that streams frames is told: up to where they are stored, and by sessions after whatever has happened.
+// Answers to clients that stream frames: how far the frames are stored, and where a session resumes.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -26,10 +26,10 @@ grpc::Status Delete(TestServer& server, const std::string& map_id) {
   return server.Call(&MapStub::DeleteMap, "maps/" + map_id).status();
 }
 
-/// Nothing is stored but by a full sync at a stream's end.
+/// Only the full sync at a stream's end stores anything.
 const OpenMapOptions kLazy{.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}};
 
-TEST(Feeds, NoAcknowledgementSaysMoreThanTheStoreHolds) {
+TEST(Feeds, AcknowledgementsClaimOnlyStoredFrames) {
   FailingStore store;
   TestServer server(store, {.publish = {.frames = 1}, .commit = {.frames = 2, .retry_s = 0.01}});
   Create(server, "room");
@@ -68,7 +68,7 @@ TEST(Feeds, TheLastFramesAcknowledgementComesWhenAllIsStored) {
   {
     const BusyWriter busy(**server.registry().GetOpen("room"));
     for (int i = 1; i < 4; ++i) ASSERT_TRUE(feeder.Send(i, i, /*is_last=*/i == 3));
-    // Other calls come and go meanwhile: the server has seen the end of the stream long before.
+    // Meanwhile other calls run, so the server has long seen the end of the stream.
     for (int i = 0; i < 100; ++i) {
       ASSERT_OK(server.Call(&MapStub::ListMaps));
     }
@@ -86,7 +86,7 @@ TEST(Feeds, TheLastFramesAcknowledgementComesWhenAllIsStored) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 4);
 }
 
-TEST(Feeds, IfTheEndCannotBeStoredTheLastFrameIsAcknowledgedAndTheStreamFails) {
+TEST(Feeds, IfTheLastCommitFailsTheLastFrameIsAcknowledgedAndTheStreamFails) {
   FailingStore store;
   TestServer server(store, kLazy);
   Create(server, "room");
@@ -105,8 +105,8 @@ TEST(Feeds, IfTheEndCannotBeStoredTheLastFrameIsAcknowledgedAndTheStreamFails) {
   }
 }
 
-/// Who counts the answers calls Finish at once, which gRPC lets wait for ever if there is one more to be read.
-TEST(Feeds, AStreamWithoutSessionThatHalfClosesLateIsOwedNoMoreAnswersAndEndsWhenAllIsStored) {
+/// A client that counts answers calls Finish at once. gRPC would wait for ever if another answer were unread.
+TEST(Feeds, AnUnnamedStreamThatHalfClosesLateEndsWithoutAnotherAnswerOnceAllIsStored) {
   const auto store = MakeTestStore();
   TestServer server(*store, kLazy);
   Create(server, "room");
@@ -131,7 +131,7 @@ TEST(Feeds, AStreamWithoutSessionThatHalfClosesLateIsOwedNoMoreAnswersAndEndsWhe
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
 }
 
-TEST(Feeds, ASessionEndsWithAnAnswerForNoFrame) {
+TEST(Feeds, ASessionsLastAnswerBelongsToNoFrame) {
   const auto store = MakeTestStore();
   TestServer server(*store, kLazy);
   Create(server, "room");
@@ -151,7 +151,7 @@ TEST(Feeds, ASessionEndsWithAnAnswerForNoFrame) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 3);
 }
 
-TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
+TEST(Feeds, ASessionsClientLearnsWhereToResumeAndMayResendFrames) {
   const auto store = MakeTestStore();
   TestServer server(*store, kLazy);
   Create(server, "room");
@@ -181,7 +181,7 @@ TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
   ASSERT_OK(second.Finish());
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 5);
 
-  // Another session has numbers of its own; streams without one are never deduplicated.
+  // Another session has its own numbers; streams without a session are never deduplicated.
   Feeder other(server, "room", {.session = "other"});
   EXPECT_EQ(other.Feed(0)->outcome(), v1::IntegrateFramesResponse::FUSED);
   other.HalfClose();
@@ -190,7 +190,7 @@ TEST(Feeds, AClientOfASessionIsToldWhereToGoOnAndResendsWithoutHarm) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 10);
 }
 
-TEST(Feeds, WhatIsTakenButNotStoredIsADuplicateAndToldAsStoredOnlyLater) {
+TEST(Feeds, AnAcceptedUnstoredFrameIsADuplicateAndReportedAsStoredLater) {
   FailingStore store;
   TestServer server(store, {.publish = {.frames = 1}, .commit = {.frames = 1, .retry_s = 0.01}});
   Create(server, "room");
@@ -212,7 +212,7 @@ TEST(Feeds, WhatIsTakenButNotStoredIsADuplicateAndToldAsStoredOnlyLater) {
   EXPECT_EQ(store.GetMap("room")->info.num_frames, 3);
 }
 
-TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
+TEST(Feeds, SessionNamesAreValidAndDoNotChangeWithinAStream) {
   const auto store = MakeTestStore();
   TestServer server(*store);
   Create(server, "room");
@@ -239,7 +239,7 @@ TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
     EXPECT_EQ(num_answers, 2);
     EXPECT_EQ(ReasonOf(stream->Finish()), "BAD_SESSION");
   }
-  // Only the first message may come without a frame, and only one of a session.
+  // Only the first message of a session may lack a frame.
   Feeder unnamed(server, "room");
   const auto ack = unnamed.Greet();
   ASSERT_TRUE(ack);
@@ -247,7 +247,7 @@ TEST(Feeds, SessionsHaveGoodNamesAndStayTheSame) {
   EXPECT_EQ(ReasonOf(ack->error()), "BAD_FRAME");
 }
 
-TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
+TEST(Feeds, ATakeoverFeedsAtOnceAndTheOtherStreamEndsWithTheReason) {
   const auto store = MakeTestStore();
   TestServer server(*store, {.feeds = {.idle_s = 1000}}, {.max_frames_in_flight = 8});
   Create(server, "room");
@@ -288,7 +288,7 @@ TEST(Feeds, WhoTakesOverFeedsAtOnceAndTheOtherIsToldWhy) {
   EXPECT_EQ(stored.sessions.LastOf("second"), 11);
 }
 
-TEST(Feeds, AnIdleFeederMakesPlaceForAnother) {
+TEST(Feeds, AnIdleFeederIsReplacedByAnother) {
   const auto store = MakeTestStore();
   TestServer server(*store, {.feeds = {.idle_s = 0}});
   Create(server, "room");
@@ -318,8 +318,8 @@ TEST(Feeds, AMapWhoseFeederIsIdleCanBeDeleted) {
   EXPECT_TRUE(store->ListMaps()->empty());
 }
 
-/// gRPC gives a peer up that has not answered within the second: this asks for a machine that has one to spare.
-TEST(FeedsClock, APeerThatIsDeadEndsAlthoughItsConnectionIsOpen) {
+/// gRPC drops a peer that has not answered within a second. The machine needs a second of spare time for this test.
+TEST(FeedsClock, AFrozenPeerIsDroppedAlthoughItsConnectionIsOpen) {
   const auto store = MakeTestStore();
   TestServer server(*store, {.feeds = {.idle_s = 86'400}}, {.keepalive_s = 1});
   Create(server, "room");
@@ -328,7 +328,7 @@ TEST(FeedsClock, APeerThatIsDeadEndsAlthoughItsConnectionIsOpen) {
   const auto mapping = v1::MappingService::NewStub(channel);
   Feeder frozen(*mapping, "room", {.session = "frozen"});
   ASSERT_TRUE(frozen.Feed(0));
-  // One that is silent, but there, keeps its place: it answers when it is asked.
+  // A peer that is silent but alive keeps its place: it answers pings.
   const int num_answers = proxy.num_answers();
   ASSERT_TRUE(Eventually([&] { return proxy.num_answers() >= num_answers + 3; }));
   EXPECT_EQ(Feed(server, "room", 0, 1).status.error_code(), grpc::ABORTED);
@@ -346,7 +346,7 @@ TEST(FeedsClock, APeerThatIsDeadEndsAlthoughItsConnectionIsOpen) {
   frozen.Cancel();
 }
 
-TEST(Feeds, OneMessageIsAnsweredOnceWhenItIsStoredOrByItsError) {
+TEST(Feeds, AStreamOfOneMessageIsAnsweredOnceStoredOrWithItsError) {
   const auto store = MakeTestStore();
   TestServer server(*store, kLazy, {.max_frames_in_flight = 1});
   Create(server, "room");
@@ -385,7 +385,7 @@ TEST(Feeds, OneMessageIsAnsweredOnceWhenItIsStoredOrByItsError) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 1);
 }
 
-TEST(Feeds, SessionsLastOverRestartsOfTheServer) {
+TEST(Feeds, SessionsSurviveRestartsOfTheServer) {
   const TempDir dir;
   const std::string path = (dir.path() / "maps.db").string();
   for (int run = 0; run < 3; ++run) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is sent to IntegrateFrames byte by byte.
+// IntegrateFrames with messages given as bytes.
 #include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// What a stream that sends these messages, and no more, ends with.
+/// The final status of a stream that sends these messages only.
 grpc::Status SendBytes(TestServer& server, const std::vector<std::string>& messages) {
   grpc::CompletionQueue queue;
   grpc::ClientContext context;
@@ -64,13 +64,13 @@ class FrameBytes : public ::testing::Test {
   TestServer server_{*store_};
 };
 
-TEST_F(FrameBytes, ThatAreAMessageAreFused) {
+TEST_F(FrameBytes, OfAValidMessageAreFused) {
   const grpc::Status status = SendBytes(server_, {FrameAsBytes(0)});
   EXPECT_OK(status);
   EXPECT_EQ(NumFrames(), 1);
 }
 
-TEST_F(FrameBytes, ThatAreNoneEndTheStreamAndSayWhy) {
+TEST_F(FrameBytes, OfAnInvalidMessageEndTheStreamWithAReason) {
   const std::string cut = FrameAsBytes(1).substr(0, 1000);
   for (const std::string& bytes : {std::string("\xff\xff\xff", 3), cut, std::string(100'000, '\x07')}) {
     const grpc::Status status = SendBytes(server_, {FrameAsBytes(0), bytes});
@@ -82,22 +82,22 @@ TEST_F(FrameBytes, ThatAreNoneEndTheStreamAndSayWhy) {
   EXPECT_OK(Feed(server_, "room", 3, 4)) << "the map is free again";
 }
 
-TEST_F(FrameBytes, AreNotDecodedForAStreamThatHasNoPlaceAtItsMap) {
+TEST_F(FrameBytes, AreNotDecodedForAStreamThatMayNotFeedItsMap) {
   v1::IntegrateFramesRequest head;
   head.set_map("maps/nowhere");
-  // A frame that is none: whoever looked would say so.
+  // An invalid frame: decoding it would be reported.
   const grpc::Status status = SendBytes(server_, {head.SerializeAsString() + std::string("\x1a\x01\xff", 3)});
   EXPECT_EQ(status.error_code(), grpc::StatusCode::NOT_FOUND) << status.error_message();
   EXPECT_EQ(ReasonOf(status), "MAP_NOT_FOUND");
   EXPECT_TRUE(Eventually([&] { return server_.grpc().frame_bytes() == 0; })) << server_.grpc().frame_bytes();
 }
 
-TEST_F(FrameBytes, OfStreamsThatAreGivenUpAtOnceAreLetGo) {
+TEST_F(FrameBytes, OfCancelledStreamsAreFreed) {
   constexpr int kStreams = 50;
   for (int i = 0; i < kStreams; ++i) {
     Feeder feeder(server_, "room", {.session = "robot"});
     ASSERT_TRUE(feeder.Send(i, i % 8));
-  }  // cancelled, wherever its frame is by now
+  }  // cancelled, at any stage of its frame
   EXPECT_TRUE(Eventually([&] { return server_.grpc().frame_bytes() == 0; })) << server_.grpc().frame_bytes();
   Feeder feeder(server_, "room", {.session = "robot"});
   const auto fused = feeder.Feed(kStreams + 1);
@@ -108,7 +108,7 @@ TEST_F(FrameBytes, OfStreamsThatAreGivenUpAtOnceAreLetGo) {
   EXPECT_OK(server_.Stop()) << "nothing is left that would hold up the end";
 }
 
-TEST_F(FrameBytes, ThatAreCompressedAreRefusedSinceNothingBoundsWhatTheyBecome) {
+TEST_F(FrameBytes, ThatAreCompressedAreRefusedBecauseTheirSizeIsUnbounded) {
   for (const grpc_compression_algorithm algorithm : {GRPC_COMPRESS_DEFLATE, GRPC_COMPRESS_GZIP}) {
     grpc::ClientContext context;
     context.set_compression_algorithm(algorithm);
@@ -126,9 +126,9 @@ TEST_F(FrameBytes, ThatAreCompressedAreRefusedSinceNothingBoundsWhatTheyBecome) 
   EXPECT_OK(Feed(server_, "room", 0, 1)) << "uncompressed all is well";
 }
 
-TEST_F(FrameBytes, OfAFirstFrameInASessionWithoutRoomAreRefusedAndNotTakenForAGreeting) {
+TEST_F(FrameBytes, OfAFirstFrameThatDoesNotFitAreRefusedAndNotTakenForAGreeting) {
   const std::unique_ptr<MapStore> store = MakeMemoryStore();
-  const std::size_t too_few_bytes = DecodedBytes(TestFrame(5));  // the message is there as well
+  const std::size_t too_few_bytes = DecodedBytes(TestFrame(5));  // the message itself is counted, too
   TestServer server(*store, {}, {.inflight = std::make_shared<ByteBudget>(too_few_bytes)});
   ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
   Feeder feeder(server, "room", {.session = "robot"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A grid of distances, message by message, against the distances of the same points.
+// A distance grid, message by message, compared with distances of the same points.
 #include <cstdint>
 #include <map>
 
@@ -8,7 +8,7 @@
 namespace dhpmap::testing {
 namespace {
 
-// Nodes whose coordinates a float holds exactly, so that both queries are about the very same points.
+// A float represents the nodes' coordinates exactly, so both queries use the same points.
 constexpr double kCorner_m[3] = {-0.625, -0.5, -0.125}, kResolution_m = 0.0625;
 constexpr int kNodes[3] = {30, 17, 20};
 
@@ -28,7 +28,7 @@ class GridChunksTest : public MappedScene {
     *request.mutable_options() = options;
     return request;
   }
-  /// The distances of nodes [first, first + count) by their numbers, as the proto has it.
+  /// The distances of nodes [first, first + count), numbered as in the proto.
   static v1::QueryDistancesResponse DistancesOf(std::int64_t first, int count, const v1::QueryOptions& options) {
     v1::QueryDistancesRequest request;
     request.set_map("maps/room");
@@ -59,7 +59,7 @@ class GridChunksTest : public MappedScene {
     }
     EXPECT_TRUE(content.SerializeAsString() == expected.SerializeAsString()) << "from node " << chunk.first_node();
   }
-  /// Reads the grid and compares each message as it comes; how many nodes have each status.
+  /// Reads the grid and compares each message as it arrives; returns the number of nodes with each status.
   static std::map<int, int> ExpectGridIsTheDistances(const v1::QueryOptions& options) {
     std::map<int, int> statuses;
     std::int64_t next = 0;
@@ -82,13 +82,13 @@ class GridChunksTest : public MappedScene {
   }
 };
 
-TEST_F(GridChunksTest, EachHoldsTheDistancesOfItsNodes) {
+TEST_F(GridChunksTest, EachContainsTheDistancesOfItsNodes) {
   const auto statuses = ExpectGridIsTheDistances({});
   EXPECT_TRUE(statuses.contains(v1::QueryStatus::OK));
   EXPECT_TRUE(statuses.contains(v1::QueryStatus::UNKNOWN)) << "inside the ball, below the floor";
 }
 
-TEST_F(GridChunksTest, EachHoldsThemInTheCallersFrameWithWhatTheOptionsLeave) {
+TEST_F(GridChunksTest, EachRespectsTheQueryFrameAndOptions) {
   v1::QueryOptions options;
   options.mutable_map_from_query()->mutable_translation_m()->set_x(0.5);
   options.mutable_map_from_query()->mutable_translation_m()->set_z(0.25);
@@ -104,7 +104,7 @@ TEST_F(GridChunksTest, EachHoldsThemInTheCallersFrameWithWhatTheOptionsLeave) {
   EXPECT_FALSE(ExpectGridIsTheDistances(options).contains(v1::QueryStatus::UNKNOWN));
 }
 
-TEST_F(GridChunksTest, HoldNeitherGradientsNorObjectsThatNobodyAskedFor) {
+TEST_F(GridChunksTest, ContainGradientsAndObjectsOnlyOnRequest) {
   v1::QueryDistanceGridRequest request = GridOf({});
   request.clear_include_gradients();
   request.clear_include_objects();

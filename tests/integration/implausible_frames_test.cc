@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client is told of frames that do not fit, and what becomes of them.
+// Answers to implausible frames, and their effects.
 #include <gtest/gtest.h>
 
 #include "tests/integration/feeder.h"
@@ -38,7 +38,7 @@ v1::Frame InMillimetres(v1::Frame frame) {
   return frame;
 }
 
-TEST_F(FramesThatDoNotFit, EachAnswerTellsHowTheFrameFits) {
+TEST_F(FramesThatDoNotFit, EachAnswerDescribesHowTheFrameFits) {
   Feeder feeder(server_, "room");
   for (int i = 0; i < 6; ++i) {
     const Ack ack = Fed(feeder, i, TestFrame(i));
@@ -62,7 +62,7 @@ TEST_F(FramesThatDoNotFit, TheyAreFusedWithAWarning) {
   EXPECT_NE(ack.warnings(0).message().find("must be in metres"), std::string::npos) << ack.warnings(0).message();
 }
 
-TEST_F(FramesThatDoNotFit, AFeedMayHaveThemRefused) {
+TEST_F(FramesThatDoNotFit, AFeedMayAskToRefuseThem) {
   Feeder feeder(server_, "room", {.session = "robot", .refuse_implausible = true});
   EXPECT_EQ(Fed(feeder, 0, TestFrame(0)).outcome(), v1::IntegrateFramesResponse::FUSED);
   const Ack refused = Fed(feeder, 1, InMillimetres(TestFrame(1)));
@@ -81,7 +81,7 @@ TEST_F(FramesThatDoNotFit, AFeedMayHaveThemRefused) {
   EXPECT_EQ(NumFrames(), 2);
 }
 
-TEST_F(FramesThatDoNotFit, StampsGoOnOverStreamsOfASessionAndBeginAnewOtherwise) {
+TEST_F(FramesThatDoNotFit, StampsContinueAcrossStreamsOfASessionOnly) {
   const auto faults_of = [this](const std::string& session, int frame) {
     static std::int64_t sequence = 0;
     Feeder feeder(server_, "room", {.session = session});

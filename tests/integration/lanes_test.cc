@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls of one kind do not wait for those of another, and what nobody waits for ends.
+// Calls of one kind do not wait for those of another, and calls of disconnected clients end.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -19,7 +19,7 @@
 namespace dhpmap::testing {
 namespace {
 
-constexpr int kManyPoints = 3'000;  // more than are looked up at once: see EffortOf
+constexpr int kManyPoints = 3'000;  // too many for a quick call: see EffortOf
 
 v1::QueryPointsRequest ManyPoints(const std::string& map_id) {
   v1::QueryPointsRequest request;
@@ -39,7 +39,7 @@ class Lanes : public ::testing::Test {
   void TearDown() override { OpenGate(); }
 
   grpc::Status GetMap() { return server_.Call(&MapStub::GetMap, "maps/room").status(); }
-  /// A call for the bulk lane.
+  /// Makes a call for the bulk lane.
   grpc::Status AskForMany(grpc::ClientContext& context) {
     v1::QueryPointsResponse response;
     const grpc::Status status = server_.queries->QueryPoints(&context, ManyPoints("room"), &response);
@@ -48,7 +48,7 @@ class Lanes : public ::testing::Test {
     }
     return status;
   }
-  /// So many such calls, the first of which keeps the lane's only thread until the gate is opened.
+  /// Makes so many bulk calls. The first occupies the lane's only thread until the gate opens.
   void FillBulkLane(int num_calls) {
     for (int i = 0; i < num_calls; ++i) {
       grpc::ClientContext& context = contexts_.emplace_back();
@@ -79,7 +79,7 @@ class Lanes : public ::testing::Test {
                             ++num_served_;
                             gate_.wait();
                           }}};
-  std::size_t call_bytes_ = 0;  // that one call keeps
+  std::size_t call_bytes_ = 0;  // memory of one call
   std::deque<grpc::ClientContext> contexts_;
   std::vector<std::future<grpc::Status>> calls_;
 };
@@ -93,7 +93,7 @@ TEST_F(Lanes, AQuickCallIsAnsweredWhileBulkCallsWait) {
   EXPECT_EQ(num_served_, 8);
 }
 
-TEST_F(Lanes, CallsWhoseClientIsGoneLeaveTheQueueUnserved) {
+TEST_F(Lanes, CallsOfDisconnectedClientsLeaveTheQueueUnserved) {
   constexpr int kNumAbandoned = 40;
   FillBulkLane(1 + kNumAbandoned);
   for (std::size_t i = 1; i < contexts_.size(); ++i) contexts_[i].TryCancel();
@@ -106,7 +106,7 @@ TEST_F(Lanes, CallsWhoseClientIsGoneLeaveTheQueueUnserved) {
   EXPECT_EQ(num_served_, 2);
 }
 
-TEST_F(Lanes, AMeshThatNobodyTakesAnyMoreEnds) {
+TEST_F(Lanes, AMeshOfADisconnectedClientEnds) {
   grpc::ClientContext context;
   v1::GetSubmapMeshRequest request;
   request.set_name("maps/room");
@@ -121,7 +121,7 @@ TEST_F(Lanes, AMeshThatNobodyTakesAnyMoreEnds) {
   EXPECT_OK(server_.Stop()) << "nothing is left that would hold up the end";
 }
 
-TEST(LanesOfClosedMaps, CallsThatWaitForTheDiskDoNotHoldUpThoseOnOpenMaps) {
+TEST(LanesOfClosedMaps, CallsThatWaitForTheDiskDoNotDelayCallsOnOpenMaps) {
   FailingStore store;
   TestServer server(store, {}, {.num_threads = 2, .num_bulk_threads = 1});
   const auto create = [&](const std::string& map_id) {
@@ -130,7 +130,7 @@ TEST(LanesOfClosedMaps, CallsThatWaitForTheDiskDoNotHoldUpThoseOnOpenMaps) {
   const auto list = [&](const std::string& map_id) {
     return server.Call(&SubmapStub::ListSubmaps, "maps/" + map_id).ok();
   };
-  constexpr int kNumClosed = 6;  // more than there are quick threads, and than are loaded at a time
+  constexpr int kNumClosed = 6;  // more than the quick threads and the concurrent loads
   create("open");
   for (int i = 0; i < kNumClosed; ++i) create("closed" + std::to_string(i));
   ASSERT_TRUE(list("open"));
@@ -153,10 +153,10 @@ TEST(LanesOfClosedMaps, CallsThatWaitForTheDiskDoNotHoldUpThoseOnOpenMaps) {
   for (std::future<bool>& answer : waiting) EXPECT_TRUE(answer.get());
 }
 
-TEST(LanesOfClosedMaps, FramesThatWaitForTheDiskDoNotHoldUpThoseOfOpenMaps) {
+TEST(LanesOfClosedMaps, FramesThatWaitForTheDiskDoNotDelayFramesOfOpenMaps) {
   FailingStore store;
   TestServer server(store);
-  constexpr int kNumClosed = 3;  // more than there are threads for frames
+  constexpr int kNumClosed = 3;  // more than the threads for frames
   const auto create = [&](const std::string& map_id) {
     ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest(map_id)));
   };

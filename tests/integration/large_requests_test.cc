@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Requests that are many times larger as messages than they are as bytes, and what is no request, of all methods.
+// Requests that grow many times when parsed, and malformed requests, for all methods.
 #include <google/protobuf/descriptor.h>
 #include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
@@ -19,9 +19,9 @@ namespace dhpmap::testing {
 namespace {
 
 constexpr std::size_t kLarge_bytes = 8u << 20, kHuge_bytes = 32u << 20;
-/// More than a client and a server hold of what is huge as bytes; as a message it takes 1 to 3 GiB.
+/// More memory than client and server need for the bytes; the parsed message takes 1 to 3 GiB.
 #if defined(DHPMAP_SANITIZED)
-constexpr long kMostGrowth_KiB = 3 * (700 << 10);  // shadows of what is written take several times that
+constexpr long kMostGrowth_KiB = 3 * (700 << 10);  // sanitizers' shadow memory takes several times that
 #else
 constexpr long kMostGrowth_KiB = 700 << 10;
 #endif
@@ -61,7 +61,7 @@ std::vector<const google::protobuf::MethodDescriptor*> AllMethods() {
   return methods;
 }
 
-/// What comes back for these bytes, whatever kind of method it is.
+/// The answer to raw bytes, for any kind of method.
 struct RawAnswer {
   grpc::Status status;
   std::vector<grpc::ByteBuffer> messages;
@@ -116,7 +116,7 @@ class LargeRequests : public ::testing::Test {
   TestServer server_{*store_, {}, {.inflight = budget_}};
 };
 
-TEST_F(LargeRequests, OfTinyFieldsAreRefusedBeforeTheyAreMessages) {
+TEST_F(LargeRequests, OfTinyFieldsAreRefusedBeforeParsing) {
   const long before_KiB = Peak_KiB();
   const auto expect_refused = [&](const std::string& method, const std::string& message) {
     const grpc::Status status = Send("/dhpmap.v1." + method, {message}).status;
@@ -130,13 +130,13 @@ TEST_F(LargeRequests, OfTinyFieldsAreRefusedBeforeTheyAreMessages) {
   expect_refused("QueryService/CastRays", InField(5, Many(kUnknownText, kLarge_bytes)));         // options
   expect_refused("QueryService/QueryDistances", Many(std::string("\x1a\x00", 2), kHuge_bytes));  // points
   expect_refused("EditService/ApplyEdits", Many(std::string("\x12\x00", 2), kLarge_bytes));      // edits
-  // Those who stay: a few of them would keep all that there is for everybody.
+  // Watches stay open: a few such requests would use up the whole budget.
   expect_refused("WatchService/WatchMap", Many(kUnknownNumber, (1u << 20) - 64));
   EXPECT_LT(Peak_KiB() - before_KiB, kMostGrowth_KiB);
   ExpectAllIsWell();
 }
 
-TEST_F(LargeRequests, InAStreamOfQueriesAreAnsweredAndTheStreamGoesOn) {
+TEST_F(LargeRequests, InAStreamOfQueriesAreRefusedAndTheStreamContinues) {
   const long before_KiB = Peak_KiB();
   v1::StreamQueriesRequest number, query;
   number.set_sequence(7);
@@ -186,7 +186,7 @@ TEST_F(LargeRequests, ToReflectionAreRefusedAndOthersAnswered) {
   ExpectAllIsWell();
 }
 
-TEST_F(LargeRequests, ThatAreNoMessageAreRefusedByEveryMethodWithAReason) {
+TEST_F(LargeRequests, ThatAreMalformedAreRefusedByEveryMethodWithAReason) {
   for (const auto* method : AllMethods()) {
     for (const std::string& bytes : {std::string("\xff\xff\xff", 3), std::string("\x0a\x05y", 3)}) {
       const grpc::Status status = Send(*method, bytes).status;
@@ -197,12 +197,12 @@ TEST_F(LargeRequests, ThatAreNoMessageAreRefusedByEveryMethodWithAReason) {
   ExpectAllIsWell();
 }
 
-TEST_F(LargeRequests, AreThoseWithListsAndOthersAreRefusedUnread) {
+TEST_F(LargeRequests, AreReadOnlyByMethodsWhoseRequestsHaveLists) {
   const std::string text(2u << 20, 'x');
   int num_large = 0;
   for (const auto* method : AllMethods()) {
     if (method->client_streaming()) continue;
-    // Without a field that anybody knows it is refused, if it is read: it names nothing.
+    // A method that reads the request refuses it for lack of a known field.
     const grpc::Status status = Send(*method, InField(15, text)).status;
     if (ReasonOf(status) != "BODY_TOO_LARGE") ++num_large;
   }
@@ -210,7 +210,7 @@ TEST_F(LargeRequests, AreThoseWithListsAndOthersAreRefusedUnread) {
   ExpectAllIsWell();
 }
 
-TEST_F(LargeRequests, OfNewerClientsAreTaken) {
+TEST_F(LargeRequests, OfNewerClientsAreAccepted) {
   v1::GetMapRequest request;
   request.set_name("maps/room");
   const RawAnswer answer =

@@ -42,7 +42,7 @@ class ListingTest : public ::testing::Test {
   grpc::Status status;
 };
 
-TEST_F(ListingTest, MapsComeInPagesByNameAndWithoutClassesUnlessAskedFor) {
+TEST_F(ListingTest, MapsAreListedInPagesByNameWithClassesOnRequest) {
   for (const char* name : {"c", "a", "e", "b", "d"}) Create(name);
   v1::ListMapsRequest request;
   request.set_page_size(2);
@@ -64,7 +64,7 @@ TEST_F(ListingTest, MapsComeInPagesByNameAndWithoutClassesUnlessAskedFor) {
   EXPECT_GT(ListMaps(request).maps(0).label_classes_size(), 0);
 }
 
-TEST_F(ListingTest, AMapMadeOrDeletedBetweenPagesMakesNothingComeTwice) {
+TEST_F(ListingTest, CreatingOrDeletingAMapBetweenPagesRepeatsNothing) {
   for (const char* name : {"b", "d", "f"}) Create(name);
   v1::ListMapsRequest request;
   request.set_page_size(2);
@@ -78,7 +78,7 @@ TEST_F(ListingTest, AMapMadeOrDeletedBetweenPagesMakesNothingComeTwice) {
   EXPECT_EQ(rest.maps(1).name(), "maps/f");
 }
 
-TEST_F(ListingTest, ATokenOfAMapThatWasMadeAnewIsRefused) {
+TEST_F(ListingTest, ATokenOfARecreatedMapIsRefused) {
   Create("room");
   ASSERT_OK(Feed(server, "room", 0, 4));
   v1::ListSubmapsRequest request;
@@ -92,7 +92,7 @@ TEST_F(ListingTest, ATokenOfAMapThatWasMadeAnewIsRefused) {
   EXPECT_EQ(server.Call(&SubmapStub::ListSubmaps, request).code(), grpc::OUT_OF_RANGE);
 }
 
-TEST(ListingAfterACrash, ATokenOfAStateThatWasNotStoredIsRefused) {
+TEST(ListingAfterACrash, ATokenOfAnUnstoredStateIsRefused) {
   const TempDir folder;
   const std::string path = (folder.path() / "maps.db").string(), crashed = (folder.path() / "crashed.db").string();
   const auto store = std::move(OpenSqliteStore(path)).value();
@@ -100,21 +100,21 @@ TEST(ListingAfterACrash, ATokenOfAStateThatWasNotStoredIsRefused) {
   v1::ListSubmapsRequest request;
   request.set_parent("maps/room");
   request.set_page_size(1);
-  // The token of the next page, as `from` answers it.
+  // Lists at `from`; `token` becomes the token of the next page.
   const auto list = [&request](TestServer& from, std::string& token) {
     const auto page = from.Call(&SubmapStub::ListSubmaps, request);
     token = page->next_page_token();
     return page.status();
   };
   ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
-  ASSERT_OK(Feed(server, "room", 0, 2));  // stored with the end of the stream
+  ASSERT_OK(Feed(server, "room", 0, 2));  // stored at the end of the stream
   std::string stored, seen, next;
   ASSERT_OK(list(server, stored));
   Feeder feeder(server, "room");
   ASSERT_TRUE(feeder.Feed(2));
   ASSERT_OK(list(server, seen));
   ASSERT_NE(seen, stored);
-  for (const char* part : {"", "-wal"}) std::filesystem::copy_file(path + part, crashed + part);  // it is killed here
+  for (const char* part : {"", "-wal"}) std::filesystem::copy_file(path + part, crashed + part);  // as after a kill
 
   const auto reopened = std::move(OpenSqliteStore(crashed)).value();
   TestServer after(*reopened);
@@ -126,7 +126,7 @@ TEST(ListingAfterACrash, ATokenOfAStateThatWasNotStoredIsRefused) {
   EXPECT_EQ(ReasonOf(refused), "HISTORY_LOST");
 }
 
-TEST_F(ListingTest, AMapIsRenamedWhereItsEtagIsThePresentOne) {
+TEST_F(ListingTest, AMapIsRenamedOnlyWithItsPresentEtag) {
   const v1::Map made = Create("room");
   EXPECT_EQ(made.history_id().size(), 16u);
   const v1::Map named = Rename("maps/room", "Kitchen", made.etag(), {"display_name"});
@@ -143,7 +143,7 @@ TEST_F(ListingTest, AMapIsRenamedWhereItsEtagIsThePresentOne) {
   EXPECT_EQ(Rename("maps/room", "", "", {}).etag(), made.etag()) << "frames leave it alone";
 }
 
-TEST_F(ListingTest, AMapIsDeletedWhereItsEtagIsThePresentOne) {
+TEST_F(ListingTest, AMapIsDeletedOnlyWithItsPresentEtag) {
   const v1::Map made = Create("room");
   Rename("maps/room", "Kitchen", "", {});
   EXPECT_EQ(Delete("maps/room", made.etag()), grpc::ABORTED);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ExportMap and ImportMap through the door: a map goes out and comes in again, and what does not come in leaves
-// nothing.
+// ExportMap and ImportMap through the door. A failed import leaves nothing behind.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -48,7 +47,7 @@ class MapFileCalls : public ::testing::Test {
   struct Sent {
     grpc::Status status;
     v1::ImportMapResponse response;
-    std::size_t num_bytes = 0;  ///< that the client could send
+    std::size_t num_bytes = 0;  ///< sent by the client
   };
   /// `total_bytes`: as announced.
   Sent Import(const std::string& map_id, const std::string& bytes, std::int64_t total_bytes = 0) {
@@ -86,7 +85,7 @@ class MapFileCalls : public ::testing::Test {
   int num_files_ = 0;
 };
 
-/// What a map answers, with its name left out.
+/// A map's answers, without its name.
 std::map<std::string, std::string> AnswersOf(TestServer& server, const std::string& map_id) {
   std::map<std::string, std::string> answers;
   const auto keep = [&](const std::string& what, const google::protobuf::Message& answer) {
@@ -103,7 +102,7 @@ std::map<std::string, std::string> AnswersOf(TestServer& server, const std::stri
   *distances.mutable_packed_points_m() = TestQuery(map_id).packed_points_m();
   keep("distances", server.Call(&QueryStub::QueryDistances, distances).value());
   auto submaps = server.Call(&SubmapStub::ListSubmaps, map).value();
-  for (v1::Submap& submap : *submaps.mutable_submaps()) submap.clear_etag();  // which names the history
+  for (v1::Submap& submap : *submaps.mutable_submaps()) submap.clear_etag();  // contains the history id
   keep("submaps", submaps);
   for (const v1::Submap& submap : submaps.submaps()) {
     for (const auto& part : server.Call(&SubmapStub::StreamSubmapVoxels, submap.name()).value()) keep("voxels", part);
@@ -112,7 +111,7 @@ std::map<std::string, std::string> AnswersOf(TestServer& server, const std::stri
   return answers;
 }
 
-TEST_F(MapFileCalls, AMapThatWentOutAndCameInAnswersAllQueriesAsItDid) {
+TEST_F(MapFileCalls, AnExportedAndImportedMapAnswersAllQueriesTheSame) {
   const Sent sent = Import("copy", bytes_, static_cast<std::int64_t>(bytes_.size()));
   ASSERT_OK(sent.status);
   EXPECT_EQ(sent.response.map().name(), "maps/copy");
@@ -120,7 +119,7 @@ TEST_F(MapFileCalls, AMapThatWentOutAndCameInAnswersAllQueriesAsItDid) {
   std::string again;
   ASSERT_OK(Export("room", again));
   EXPECT_TRUE(again == bytes_) << "a state is always the same file";
-  Start();  // what the original holds in memory is finer than what it has stored
+  Start();  // the stored map is rounded, the one in memory is not
   const auto original = AnswersOf(*server_, "room"), copy = AnswersOf(*server_, "copy");
   ASSERT_EQ(original.size(), 5u);
   for (const auto& [what, answer] : original) {
@@ -133,7 +132,7 @@ TEST_F(MapFileCalls, AMapThatWentOutAndCameInAnswersAllQueriesAsItDid) {
   ASSERT_OK(Feed(*server_, "copy", 6, 9)) << "mapping goes on";
 }
 
-TEST_F(MapFileCalls, AMapComesInUnderTheNameThatItHad) {
+TEST_F(MapFileCalls, AnImportedMapKeepsItsNameByDefault) {
   ASSERT_OK(server_->Call(&MapStub::DeleteMap, "maps/room"));
   const Sent sent = Import("", bytes_);
   ASSERT_OK(sent.status);
@@ -141,21 +140,21 @@ TEST_F(MapFileCalls, AMapComesInUnderTheNameThatItHad) {
   EXPECT_EQ(AnswersOf(*server_, "room").size(), 5u);
 }
 
-TEST_F(MapFileCalls, ANameThatIsTakenIsToldBeforeTheFileIsSent) {
+TEST_F(MapFileCalls, ATakenNameIsRefusedBeforeTheFileIsSent) {
   grpc::ClientContext context;
   v1::ImportMapResponse response;
   const auto stream = server_->maps->ImportMap(&context, &response);
   v1::ImportMapRequest first;
   first.set_map_id("room");
   ASSERT_TRUE(stream->Write(first));
-  const grpc::Status status = stream->Finish();  // although it was not half-closed
+  const grpc::Status status = stream->Finish();  // although the client did not half-close
   EXPECT_EQ(status.error_code(), grpc::ALREADY_EXISTS);
   EXPECT_EQ(ReasonOf(status), "MAP_EXISTS");
   EXPECT_EQ(Import("", bytes_).status.error_code(), grpc::ALREADY_EXISTS) << "the name that it had";
   EXPECT_EQ(Import("a/b", bytes_).status.error_code(), grpc::INVALID_ARGUMENT);
 }
 
-TEST_F(MapFileCalls, ANameThatWasTakenMeanwhileIsSeenAtTheEnd) {
+TEST_F(MapFileCalls, ANameTakenMeanwhileIsRefusedAtTheEnd) {
   grpc::ClientContext context;
   v1::ImportMapResponse response;
   const auto stream = server_->maps->ImportMap(&context, &response);
@@ -171,7 +170,7 @@ TEST_F(MapFileCalls, ANameThatWasTakenMeanwhileIsSeenAtTheEnd) {
   EXPECT_EQ(server_->registry().Get("copy")->info.revision, made.revision()) << "the other's stands";
 }
 
-TEST_F(MapFileCalls, WhatIsNoMapIsATypedErrorAndLeavesNothing) {
+TEST_F(MapFileCalls, AnInvalidFileIsATypedErrorAndLeavesNothing) {
   std::string newer = bytes_, flipped = bytes_;
   newer[63] = 99;  // user_version, the last byte of it
   const std::size_t labels =
@@ -207,7 +206,7 @@ TEST_F(MapFileCalls, WhatIsNoMapIsATypedErrorAndLeavesNothing) {
   EXPECT_OK(Import("copy", bytes_));
 }
 
-TEST_F(MapFileCalls, WhatIsTooLargeIsRefusedAtOnceIfItSaysSoAndElseWhenItIs) {
+TEST_F(MapFileCalls, ATooLargeFileIsRefusedWhenAnnouncedOrWhenTheLimitIsReached) {
   Start({.max_import_bytes = 50'000});
   const Sent told = Import("copy", bytes_, static_cast<std::int64_t>(bytes_.size()));
   EXPECT_EQ(told.status.error_code(), grpc::RESOURCE_EXHAUSTED);
@@ -218,7 +217,7 @@ TEST_F(MapFileCalls, WhatIsTooLargeIsRefusedAtOnceIfItSaysSoAndElseWhenItIs) {
   ExpectNothingLeft("copy");
 }
 
-/// A client that has sent some of it.
+/// A client that has sent part of a file.
 struct HalfSent {
   grpc::ClientContext context;
   v1::ImportMapResponse response;
@@ -229,11 +228,11 @@ struct HalfSent {
     v1::ImportMapRequest part;
     part.set_map_id(map_id);
     part.set_data(bytes);
-    (void)stream->Write(part);  // in vain, if it has ended by now
+    (void)stream->Write(part);  // fails if the stream has ended
   }
 };
 
-TEST_F(MapFileCalls, ClientsThatGoAwayMakePlace) {
+TEST_F(MapFileCalls, ClientsThatDisconnectFreeTheirPlace) {
   auto one = std::make_unique<HalfSent>(*server_, "one", bytes_.substr(0, 20'000));
   auto two = std::make_unique<HalfSent>(*server_, "two", bytes_.substr(0, 20'000));
   ASSERT_TRUE(Eventually([&] { return NumFiles() == num_files_ + 2; }));
@@ -250,7 +249,7 @@ TEST_F(MapFileCalls, ClientsThatGoAwayMakePlace) {
   ExpectNothingLeft("one");
 }
 
-TEST_F(MapFileCalls, AClientThatIsSilentIsGivenUp) {
+TEST_F(MapFileCalls, ASilentUploadIsEnded) {
   Start({}, {.import_idle_s = 0.05});
   HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
   const grpc::Status status = half.stream->Finish();
@@ -258,14 +257,14 @@ TEST_F(MapFileCalls, AClientThatIsSilentIsGivenUp) {
   ExpectNothingLeft("copy");
 }
 
-/// What a client lags behind that sends so many bytes each time it is waited for so long.
+/// The lag of a client that sends so many bytes after each wait of so many seconds.
 double LagSeconds(int num_parts, std::size_t part_bytes, double wait_s) {
   using Clock = ClientLag::Clock;
   const auto wait = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait_s));
   ClientLag lag;
   Clock::time_point now;
   for (int i = 0; i < num_parts; ++i) {
-    now += std::chrono::hours(1);  // what was sent is worked on, for as long as that takes
+    now += std::chrono::hours(1);  // processing time, which does not count
     lag.Wait(now);
     now += wait;
     lag.Hear(part_bytes, now);
@@ -274,24 +273,24 @@ double LagSeconds(int num_parts, std::size_t part_bytes, double wait_s) {
   return std::chrono::duration<double>(lag.WhileWaiting(now)).count();
 }
 
-TEST(ClientLag, OneThatGoesOnIsNotSilentHoweverLongItTakes) {
+TEST(ClientLag, ASteadySenderIsNotSilentHoweverLongItTakes) {
   EXPECT_EQ(LagSeconds(10'000, 16 << 10, 1.0), 0);
   EXPECT_EQ(LagSeconds(10'000, 1 << 20, 63.0), 0);
   EXPECT_NEAR(LagSeconds(100, 8 << 10, 1.0), 50, 1e-6) << "half as fast as it must be";
   EXPECT_NEAR(LagSeconds(100, 1, 0.01), 1, 0.01) << "a byte now and then";
 }
 
-TEST_F(MapFileCalls, WhoSendsAByteNowAndThenKeepsNoPlace) {
+TEST_F(MapFileCalls, AClientThatSendsAByteNowAndThenLosesItsPlace) {
   Start({}, {.import_idle_s = 0.05});
   HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
-  v1::ImportMapRequest byte;  // pays for 61 us
+  v1::ImportMapRequest byte;  // pays off 61 us
   byte.set_data("x");
   EXPECT_TRUE(Eventually([&] { return !half.stream->Write(byte); })) << "one a millisecond at most";
   EXPECT_EQ(half.stream->Finish().error_code(), grpc::DEADLINE_EXCEEDED);
   ExpectNothingLeft("copy");
 }
 
-TEST_F(MapFileCalls, AServerThatEndsDoesNotWaitForAMapThatComesIn) {
+TEST_F(MapFileCalls, AShutdownDoesNotWaitForAnUpload) {
   HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
   ASSERT_TRUE(Eventually([&] { return NumFiles() == num_files_ + 1; }));
   ASSERT_OK(server_->Stop(/*grace_s=*/0.01));
@@ -299,7 +298,7 @@ TEST_F(MapFileCalls, AServerThatEndsDoesNotWaitForAMapThatComesIn) {
   EXPECT_EQ(NumFiles(), num_files_);
 }
 
-TEST_F(MapFileCalls, OneStreamBringsOneMap) {
+TEST_F(MapFileCalls, OneStreamUploadsOneMap) {
   HalfSent half(*server_, "copy", bytes_.substr(0, 20'000));
   v1::ImportMapRequest part;
   part.set_map_id("other");

@@ -11,7 +11,7 @@
 
 namespace dhpmap::testing {
 
-/// A server with "maps/room", a mapped TestScene that nobody changes: once for all tests of a suite.
+/// A server with "maps/room", a mapped TestScene that no test changes: shared by all tests of a suite.
 class MappedScene : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { SetUpWith({}); }
@@ -27,7 +27,7 @@ class MappedScene : public ::testing::Test {
     store_.reset();
   }
 
-  /// The name of the one object of a class of TestScene; empty if there is not exactly one.
+  /// The name of the only object of a class of TestScene; empty if there is not exactly one.
   static std::string ObjectOfClass(int class_id) {
     v1::ListSubmapsRequest request;
     request.set_parent("maps/room");

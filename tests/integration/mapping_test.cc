@@ -42,7 +42,7 @@ v1::PointResult QueryOne(TestServer& server, const std::string& map_id, double x
   return response.results_size() == 1 ? response.results(0) : v1::PointResult{};
 }
 
-TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
+TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndFusedWhenTheStreamEnds) {
   const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
@@ -63,7 +63,7 @@ TEST(Mapping, EveryFrameIsAcknowledgedInOrderAndIsThereWhenTheStreamEnds) {
   EXPECT_EQ(names, (std::multiset<std::string>{"", "thing1", "thing2", "stuff3"}));
 }
 
-TEST(Mapping, PointsOnObjectsAreAnsweredWithTheirClass) {
+TEST(Mapping, PointsOnObjectsHaveTheirClass) {
   const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");
@@ -119,7 +119,7 @@ TEST(Mapping, ARestartOnTheSameFileGivesTheSameAnswers) {
   EXPECT_GT(num_free, 50);
 }
 
-TEST(Mapping, GoesOnAfterARestartAsIfThereHadBeenNone) {
+TEST(Mapping, ContinuesAfterARestartAsIfThereHadBeenNone) {
   const TempDir dir;
   const std::string path = (dir.path() / "maps.db").string();
   const auto whole_store = MakeTestStore();
@@ -157,10 +157,10 @@ TEST(Mapping, ABadFrameIsRefusedInItsAcknowledgementAndChangesNothing) {
   frames.push_back(TestFrame(1));
   frames.back().mutable_depth_camera()->mutable_depth()->mutable_data()->pop_back();
   frames.push_back(TestFrame(1));
-  frames.back().mutable_segments()->RemoveLast();  // pixels of the floor have no row now
+  frames.back().mutable_segments()->RemoveLast();  // pixels of the floor have no table row
   frames.push_back(TestFrame(1));
   frames.back().mutable_segments(0)->set_class_id(77);
-  frames.emplace_back();  // nothing at all
+  frames.emplace_back();  // an empty frame
   frames.push_back(TestFrame(1));
   for (std::size_t i = 0; i < frames.size(); ++i) {
     v1::IntegrateFramesRequest request;
@@ -229,7 +229,7 @@ TEST(Mapping, OneStreamFeedsOneMap) {
   while (stream->Read(&ack)) ++num_acks;
   EXPECT_EQ(num_acks, 2);
   EXPECT_EQ(stream->Finish().error_code(), grpc::INVALID_ARGUMENT);
-  EXPECT_EQ(store->GetMap("room")->info.num_frames, 2);  // what was acknowledged is stored all the same
+  EXPECT_EQ(store->GetMap("room")->info.num_frames, 2);  // acknowledged frames are stored nevertheless
 }
 
 TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
@@ -255,7 +255,7 @@ TEST(Mapping, ASecondStreamIntoTheSameMapIsAborted) {
   EXPECT_EQ(Feed(server, "room", 2, 3).status.error_code(), grpc::NOT_FOUND);
 }
 
-TEST(Mapping, AClientThatGoesAwayLeavesTheMapFreeForOthers) {
+TEST(Mapping, ADisconnectedFeederLeavesTheMapFreeForOthers) {
   const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMapNamed(server, "room");

@@ -14,7 +14,7 @@
 
 namespace dhpmap::testing {
 
-/// A fleet that takes no map and is told of commits by the test.
+/// A fleet that takes no map. The test reports commits to it.
 class ReadersFleet final : public LoneFleet {
  public:
   [[nodiscard]] FleetServer Me() const override { return {.id = 2, .is_alive = true, .is_me = true}; }
@@ -38,10 +38,11 @@ class ReadersFleet final : public LoneFleet {
   std::function<void(const std::string&, std::int64_t)> on_change_ DHPMAP_GUARDED_BY(mutex_);
 };
 
-/// One process' way to a store in memory that several share: with a fleet it reads, without one it writes and tells.
+/// A process's access to a memory store that several share. With a fleet it reads; without one it writes and reports
+/// commits.
 class MemberStore final : public WrappedStore {
  public:
-  /// `fleet`: null for the owner of all maps, which tells `others`.
+  /// `fleet`: null for the owner of all maps, which reports commits to `others`.
   MemberStore(MapStore& shared, Fleet* fleet, ReadersFleet* others)
       : WrappedStore(shared), fleet_(fleet), others_(others) {}
 
@@ -57,7 +58,7 @@ class MemberStore final : public WrappedStore {
     return inner().LoadMap(name);
   }
 
-  std::atomic<int> num_taken = 0;  ///< loads by the reader as if it were going to write
+  std::atomic<int> num_taken = 0;  ///< loads by the reader as if for writing
 
  private:
   Status Tell(const MapSnapshot& after, Status done) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What people are told of an object: what it is called, and where it is.
+// Descriptions of objects for people: name and place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace dhpmap::testing {
 namespace {
 
-// A small ball where eight blocks meet.
+// A small ball at the corner of eight blocks.
 constexpr double kVoxelSize_m = 0.02, kTruncation_m = 0.04, kBallRadius_m = 0.04;
 constexpr double kBlock_m = 8 * kVoxelSize_m, kBallHeight_m = 2 * kBlock_m;
 const double kBlocksRadius_m = std::sqrt(3.0) * kBlock_m;  // of the sphere around all eight
@@ -21,7 +21,7 @@ const double kBlocksRadius_m = std::sqrt(3.0) * kBlock_m;  // of the sphere arou
 class ObjectDescriptions : public ::testing::Test {
  protected:
   void Begin(const v1::CreateMapRequest& request) { ASSERT_OK(server.Call(&MapStub::CreateMap, request)); }
-  /// The things of the map that pass, by ascending id.
+  /// The things of the map that match the request, by ascending id.
   std::vector<v1::Submap> Things(v1::ListSubmapsRequest request = {}) {
     request.set_parent("maps/room");
     request.set_kind(v1::LabelClass::THING);
@@ -63,7 +63,7 @@ class SmallObject : public ObjectDescriptions {
     Look();
     ASSERT_EQ(Things().size(), 1u);
   }
-  /// Goes around the ball with a camera.
+  /// Moves a camera around the ball.
   void Look() {
     const Scene scene{.solids = {{.shape = Solid::Shape::kSphere,
                                   .center_m = {0, 0, kBallHeight_m},
@@ -95,7 +95,7 @@ class SmallObject : public ObjectDescriptions {
   }
 };
 
-TEST_F(SmallObject, HasASphereAroundWhatWasSeenOfItNotAroundItsBlocks) {
+TEST_F(SmallObject, HasASphereAroundItsVoxelsNotItsBlocks) {
   const v1::Submap ball = Things()[0];
   ASSERT_GE(ball.num_blocks(), 8) << "or the sphere of its blocks would be small, too";
   const double radius_m = ball.bounding_sphere().radius_m();
@@ -107,9 +107,9 @@ TEST_F(SmallObject, HasASphereAroundWhatWasSeenOfItNotAroundItsBlocks) {
   EXPECT_EQ(Get(ball.name()).bounding_sphere().SerializeAsString(), ball.bounding_sphere().SerializeAsString());
 }
 
-TEST_F(SmallObject, IsFoundByThatSphereAndTakesItAlongWhenItIsMoved) {
+TEST_F(SmallObject, IsFoundByItsSphereWhichMovesWithIt) {
   v1::Submap ball = Things()[0];
-  v1::ListSubmapsRequest beside;  // where blocks of it are, but nothing of itself
+  v1::ListSubmapsRequest beside;  // contains parts of its blocks, but none of its surface
   beside.mutable_sphere()->mutable_center_m()->set_x(0.9 * kBlocksRadius_m);
   beside.mutable_sphere()->mutable_center_m()->set_z(kBallHeight_m);
   beside.mutable_sphere()->set_radius_m(0.01);
@@ -125,7 +125,7 @@ TEST_F(SmallObject, IsFoundByThatSphereAndTakesItAlongWhenItIsMoved) {
   EXPECT_TRUE(Things(beside).empty());
 }
 
-TEST_F(ObjectDescriptions, NamesFollowTheClassUntilSomebodySetsOne) {
+TEST_F(ObjectDescriptions, NamesFollowTheClassUntilAnEditSetsOne) {
   Begin(CreateRequest("room"));
   ASSERT_OK(Feed(server, "room", 0, 8));
   const std::vector<v1::Submap> things = Things();

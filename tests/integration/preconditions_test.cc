@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client asks of the state that its call meets, by an etag or a revision: over frames, edits of others,
-// restarts, a restore and a crash.
+// Preconditions of calls, by etag or revision: across frames, edits of others, restarts, a restore and a crash.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -17,7 +16,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// A mapped room in a database file, whose server can be started anew, from that file or another.
+/// A mapped room in a database file. Its server can be restarted, on that file or another.
 class PreconditionTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -53,7 +52,7 @@ class PreconditionTest : public ::testing::Test {
     reason_ = OutcomeOf(answer.status());
     return *answer;
   }
-  /// Each of these: "OK", or the reason.
+  /// Each function returns "OK" or the reason.
   std::string Rename(const v1::Submap& submap, const std::string& display_name, const std::string& etag) {
     v1::Submap wanted;
     wanted.set_name(submap.name());
@@ -91,7 +90,7 @@ class PreconditionTest : public ::testing::Test {
     return reason.empty() ? status.error_message() : reason;
   }
 
-  /// Frames that are seen and never stored, then a crash. What was read of the room meanwhile.
+  /// Frames that become visible but are never stored, then a crash. Returns the list as it was before the crash.
   v1::ListSubmapsResponse FeedAndCrash() {
     Start("maps.db", {.publish = {.frames = 1}, .commit = {.frames = 1000, .delay_s = 1000}});
     Feeder feeder(*server_, "room");
@@ -120,7 +119,7 @@ class PreconditionTest : public ::testing::Test {
   v1::Submap ball_, box_;
 };
 
-TEST_F(PreconditionTest, AnEtagOfBeforeMoreFramesHoldsInEveryEdit) {
+TEST_F(PreconditionTest, AnEtagFromBeforeMoreFramesIsValidInEveryEdit) {
   auto see_more = [this, frame = 12]() mutable {
     const v1::Submap before = Get(ball_.name());
     ASSERT_OK(Feed(*server_, "room", frame, frame + 4));
@@ -142,7 +141,7 @@ TEST_F(PreconditionTest, AnEtagOfBeforeMoreFramesHoldsInEveryEdit) {
   EXPECT_EQ(Delete(ball_, etag), "OK");
 }
 
-TEST_F(PreconditionTest, AnEtagOfBeforeAnothersEditIsRefusedInEveryEdit) {
+TEST_F(PreconditionTest, AnEtagFromBeforeAnotherEditIsRefusedInEveryEdit) {
   ASSERT_EQ(Rename(ball_, "of another client", ""), "OK");
   ASSERT_OK(Feed(*server_, "room", 12, 14));
   EXPECT_EQ(Rename(ball_, "mine", ball_.etag()), "ETAG_MISMATCH");
@@ -156,7 +155,7 @@ TEST_F(PreconditionTest, AnEtagOfBeforeAnothersEditIsRefusedInEveryEdit) {
   EXPECT_EQ(Get(ball_.name()).display_name(), "of another client");
 }
 
-TEST_F(PreconditionTest, AnEtagDoesNotOutliveItsObjectNorAMerge) {
+TEST_F(PreconditionTest, AnEtagIsRefusedAfterADeletionOrAMerge) {
   v1::ApplyEditsRequest merge;
   merge.add_edits()->set_submap(ball_.name());
   merge.mutable_edits(0)->mutable_merge()->add_merged_submaps(box_.name());
@@ -170,8 +169,8 @@ TEST_F(PreconditionTest, AnEtagDoesNotOutliveItsObjectNorAMerge) {
   EXPECT_EQ(Rename(ball_, "x", etag), "ETAG_MISMATCH") << "it was away meanwhile";
 }
 
-TEST_F(PreconditionTest, AnEtagIsOfNoOtherObject) {
-  v1::ApplyEditsRequest both;  // so that they are of one revision
+TEST_F(PreconditionTest, AnEtagOfAnotherObjectIsRefused) {
+  v1::ApplyEditsRequest both;  // so that both have the same revision
   for (const v1::Submap& submap : {ball_, box_}) {
     v1::Edit& edit = *both.add_edits();
     edit.set_submap(submap.name());
@@ -183,7 +182,7 @@ TEST_F(PreconditionTest, AnEtagIsOfNoOtherObject) {
   EXPECT_EQ(Delete(ball_, Get(ball_.name()).etag()), "OK");
 }
 
-TEST_F(PreconditionTest, AnEtagHoldsOverARestartAndNotOverARestore) {
+TEST_F(PreconditionTest, AnEtagSurvivesARestartButNotARestore) {
   {
     auto backup = store_->Backup({});
     ASSERT_OK(backup);
@@ -199,7 +198,7 @@ TEST_F(PreconditionTest, AnEtagHoldsOverARestartAndNotOverARestore) {
   EXPECT_EQ(Rename(ball_, "mine", Get(ball_.name()).etag()), "OK");
 }
 
-TEST_F(PreconditionTest, WhatIsSoAlreadyChangesNeitherEtagNorRevision) {
+TEST_F(PreconditionTest, AnEditWithoutEffectChangesNeitherEtagNorRevision) {
   ball_.clear_etag();
   ball_.mutable_map_from_submap()->mutable_translation_m()->set_x(0.1);
   ball_.mutable_map_from_submap()->mutable_rotation()->set_x(0.3);
@@ -217,7 +216,7 @@ TEST_F(PreconditionTest, WhatIsSoAlreadyChangesNeitherEtagNorRevision) {
   EXPECT_NE(changed.submap().etag(), first.submap().etag());
 }
 
-TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotWaitedForNorTakenForALaterOne) {
+TEST_F(PreconditionTest, ARevisionLostInACrashIsNeitherAwaitedNorReused) {
   const std::int64_t stored = List(*server_).revision();
   const std::int64_t lost = FeedAndCrash().revision();
   ASSERT_GT(lost, stored);
@@ -228,7 +227,7 @@ TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotWaitedForNorTakenForALat
   EXPECT_EQ(Ask(List(*server_).revision()), "OK");
 }
 
-TEST_F(PreconditionTest, ARevisionThatACrashHasLostCannotBeRead) {
+TEST_F(PreconditionTest, ARevisionLostInACrashCannotBeRead) {
   const std::int64_t lost = FeedAndCrash().revision();
   ASSERT_OK(Feed(*server_, "room", 12, 14));
   v1::ListSubmapsRequest request;
@@ -237,7 +236,7 @@ TEST_F(PreconditionTest, ARevisionThatACrashHasLostCannotBeRead) {
   EXPECT_EQ(OutcomeOf(server_->Call(&SubmapStub::ListSubmaps, request).status()), "HISTORY_LOST");
 }
 
-TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotExpectedByAnEdit) {
+TEST_F(PreconditionTest, AnEditThatExpectsARevisionLostInACrashIsRefused) {
   const std::int64_t stored = List(*server_).revision();
   v1::ApplyEditsRequest request;
   request.add_edits()->set_submap(ball_.name());
@@ -249,7 +248,7 @@ TEST_F(PreconditionTest, ARevisionThatACrashHasLostIsNotExpectedByAnEdit) {
   EXPECT_EQ(Apply(request), "OK");
 }
 
-TEST_F(PreconditionTest, AStreamOfQueriesIsToldOfARevisionThatACrashHasLost) {
+TEST_F(PreconditionTest, AStreamOfQueriesReportsARevisionLostInACrash) {
   const std::int64_t lost = FeedAndCrash().revision();
   grpc::ClientContext context;
   const auto stream = server_->queries->StreamQueries(&context);
@@ -264,7 +263,7 @@ TEST_F(PreconditionTest, AStreamOfQueriesIsToldOfARevisionThatACrashHasLost) {
   EXPECT_OK(stream->Finish());
 }
 
-TEST_F(PreconditionTest, AnEtagThatACrashHasLostIsRefusedAndOneOfBeforeHolds) {
+TEST_F(PreconditionTest, AnEtagLostInACrashIsRefusedAndAnEarlierOneIsValid) {
   const v1::Submap seen = In(FeedAndCrash(), ball_);
   ASSERT_NE(seen.etag(), ball_.etag());
   EXPECT_EQ(Rename(ball_, "x", seen.etag()), "ETAG_MISMATCH");

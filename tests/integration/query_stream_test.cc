@@ -84,7 +84,7 @@ TEST_F(QueryStreamTest, AnswersAnyQueryUnderItsNumberAsTheCallWould) {
   EXPECT_OK(stream->Finish());
 }
 
-TEST_F(QueryStreamTest, ManySentAheadAreAnsweredInTheirOrder) {
+TEST_F(QueryStreamTest, ManyQueriesSentAheadAreAnsweredInOrder) {
   const auto stream = Open(server.channel());
   constexpr int kMany = 500;
   std::thread writer([&] {
@@ -101,7 +101,7 @@ TEST_F(QueryStreamTest, ManySentAheadAreAnsweredInTheirOrder) {
   EXPECT_OK(stream->Finish());
 }
 
-TEST_F(QueryStreamTest, ABadQueryIsAnsweredWithItsErrorAndTheStreamGoesOn) {
+TEST_F(QueryStreamTest, AnInvalidQueryIsAnsweredWithItsErrorAndTheStreamContinues) {
   const auto stream = Open(server.channel());
   v1::StreamQueriesRequest bad = Distance(1, 1);
   bad.mutable_query_distances()->mutable_options()->add_class_names("spoon");
@@ -122,7 +122,7 @@ TEST_F(QueryStreamTest, ABadQueryIsAnsweredWithItsErrorAndTheStreamGoesOn) {
   EXPECT_EQ(answer.query_distances().results_size(), 1);
 }
 
-TEST_F(QueryStreamTest, APinHoldsOneStateWhileTheMapGoesOn) {
+TEST_F(QueryStreamTest, APinHoldsOneStateWhileTheMapChanges) {
   const auto stream = Open(server.channel());
   const std::int64_t pinned = Ask(*stream, Pin("maps/room")).pin().revision();
   EXPECT_EQ(pinned, RevisionNow());
@@ -137,10 +137,10 @@ TEST_F(QueryStreamTest, APinHoldsOneStateWhileTheMapGoesOn) {
   EXPECT_EQ(Ask(*stream, Distance(2, 1)).query_distances().revision(), RevisionNow());
 }
 
-TEST_F(QueryStreamTest, EndsWithTheServerAlsoWhenNobodyAsks) {
+TEST_F(QueryStreamTest, EndsWithTheServerEvenIfIdle) {
   const auto stream = Open(server.channel());
   (void)Ask(*stream, Distance(1, 1));
-  server.grpc().Drain();  // which waits for nobody, and cancels nothing
+  server.grpc().Drain();  // neither waits nor cancels
   v1::StreamQueriesResponse none;
   EXPECT_FALSE(stream->Read(&none));
   const grpc::Status ended = stream->Finish();
@@ -166,7 +166,7 @@ TEST(MapPin, HoldsAStateOfOneMapUntilItIsReleased) {
   EXPECT_TRUE(watch.expired());
 }
 
-TEST(MapPin, LetsGoByItselfAndSaysSo) {
+TEST(MapPin, ExpiresByItselfAndReportsIt) {
   MapPin pin(std::chrono::milliseconds(1));
   auto view = EmptyView();
   const std::weak_ptr<const MapView> watch = view;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Answers from the recent past: what was told at a revision is told again.
+// Answers about recent revisions equal those given at the time.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -16,7 +16,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// A mapped room, of which nothing is stored but when a stream of frames ends, or an edit is made.
+/// A mapped room that is stored only at the end of a stream of frames and with edits.
 class ReadRevision : public ::testing::Test {
  protected:
   ReadRevision() { Begin(64); }
@@ -31,7 +31,7 @@ class ReadRevision : public ::testing::Test {
     EXPECT_OK(Feed(*server, "room", 0, 6));
   }
 
-  /// What a call answers, or its reason.
+  /// The answer to a call, or its reason.
   template <typename Stub, typename Request, typename Response>
   std::string Tell(Client::Unary<Stub, Request, Response> method, const Request& request) {
     const auto answer = server->Call(method, request);
@@ -53,7 +53,7 @@ class ReadRevision : public ::testing::Test {
     request.set_read_revision(revision);
     return request;
   }
-  /// By a request that says nothing else.
+  /// By a request without other fields.
   template <typename Stub, typename Request, typename Response>
   std::string TellAbout(Client::Unary<Stub, Request, Response> method, const std::string& resource,
                         std::int64_t revision) {
@@ -112,7 +112,7 @@ class ReadRevision : public ::testing::Test {
   std::string Stats(std::int64_t revision) {
     v1::GetMapStatsResponse response =
         server->Call(&MapStub::GetMapStats, AskAt<v1::GetMapStatsRequest>(revision)).KeepStatus(status);
-    response.clear_disk_bytes();  // of the store as it is now
+    response.clear_disk_bytes();  // of the store's present state
     return status.ok() ? response.SerializeAsString() : ReasonOf(status);
   }
   std::string Grid(std::int64_t revision) {
@@ -155,7 +155,7 @@ class ReadRevision : public ::testing::Test {
     edit.set_submap("maps/room/submaps/" + std::to_string(id));
     return edit;
   }
-  /// Whether it was made: what is deleted cannot be edited.
+  /// Whether the edit was made: a deleted object cannot be edited.
   bool Apply(const v1::Edit& edit) {
     v1::ApplyEditsRequest request;
     request.set_map("maps/room");
@@ -178,7 +178,7 @@ class ReadRevision : public ::testing::Test {
   grpc::Status status;
 };
 
-/// One edit of some object; the same for a seed everywhere.
+/// A random edit of the target; depends on the seed only.
 v1::Edit RandomEditOf(const v1::Edit& target, std::mt19937& random) {
   v1::Edit edit = target;
   const double height_m = 0.001 * static_cast<double>(random() % 997);  // no two surfaces are equally near
@@ -217,7 +217,7 @@ v1::Edit RandomEditOf(const v1::Edit& target, std::mt19937& random) {
   return edit;
 }
 
-TEST_F(ReadRevision, TheRevisionsThatCanBeReadAreListed) {
+TEST_F(ReadRevision, ReadableRevisionsAreListed) {
   Begin(4);
   for (int i = 0; i < 6; ++i) {
     v1::Edit rename = On(1);
@@ -247,7 +247,7 @@ TEST_F(ReadRevision, TheRevisionsThatCanBeReadAreListed) {
   EXPECT_EQ(TellAbout(&MapStub::GetMap, "maps/room", Now() - 4), "REVISION_NOT_KEPT");
 }
 
-TEST_F(ReadRevision, EveryAnswerIsThatWhichWasGivenAtTheTime) {
+TEST_F(ReadRevision, EveryAnswerEqualsTheOneGivenAtThatRevision) {
   std::mt19937 random(17);
   const auto readings = Readings();
   std::map<std::int64_t, std::map<std::string, std::string>> told;
@@ -260,7 +260,7 @@ TEST_F(ReadRevision, EveryAnswerIsThatWhichWasGivenAtTheTime) {
     auto& answers = told[Now()];
     for (const auto& [name, read] : readings) {
       answers[name] = read(0);
-      // What was deleted, and a slice of nothing: errors are the same, too.
+      // For a deleted object or an empty slice, the errors must be equal, too.
       EXPECT_TRUE(status.ok() || status.error_code() == grpc::NOT_FOUND ||
                   status.error_code() == grpc::FAILED_PRECONDITION)
           << name << ": " << status.error_message();
@@ -275,7 +275,7 @@ TEST_F(ReadRevision, EveryAnswerIsThatWhichWasGivenAtTheTime) {
   }
 }
 
-TEST_F(ReadRevision, WhatCannotBeReadIsToldWithItsNeighboursByEveryReading) {
+TEST_F(ReadRevision, EveryMethodRefusesAnUnreadableRevisionAndNamesItsNeighbours) {
   const std::int64_t stored = Now();
   ASSERT_GT(stored, 3);
   for (const auto& [name, read] : Readings()) {
@@ -291,7 +291,7 @@ TEST_F(ReadRevision, WhatCannotBeReadIsToldWithItsNeighboursByEveryReading) {
   EXPECT_OK(status);
 }
 
-TEST_F(ReadRevision, TheOldestGoAndNoneButThePresentIsKeptIfNoneAreWanted) {
+TEST_F(ReadRevision, TheOldestAreDroppedAndALimitOfZeroKeepsOnlyThePresent) {
   Begin(3);
   const std::int64_t first = Now();
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(Rename(1, "name " + std::to_string(i)));
@@ -306,7 +306,7 @@ TEST_F(ReadRevision, TheOldestGoAndNoneButThePresentIsKeptIfNoneAreWanted) {
   EXPECT_EQ(List(Now()), List(0));
 }
 
-TEST_F(ReadRevision, PagesOfAPastListKeepToIt) {
+TEST_F(ReadRevision, PagesOfAPastListShowTheSameRevision) {
   const std::int64_t past = Now();
   auto request = AskAt<v1::ListSubmapsRequest>(past);
   ASSERT_OK_AND_ASSIGN(const auto all, server->Call(&SubmapStub::ListSubmaps, request));
@@ -322,7 +322,7 @@ TEST_F(ReadRevision, PagesOfAPastListKeepToIt) {
   EXPECT_TRUE(request.page_token().empty());
 }
 
-TEST_F(ReadRevision, WaitsForTheRevisionThatItReads) {
+TEST_F(ReadRevision, WaitsForItsRevision) {
   const std::int64_t now = Now();
   auto request = AskAt<v1::QueryDistancesRequest>(now);
   request.add_points_m()->set_z(1.3);

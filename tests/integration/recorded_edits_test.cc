@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits that came between frames are kept with them, and made again.
+// Edits between frames are recorded with them and made again in a replay.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -21,7 +21,7 @@ namespace {
 
 class RecordedEdits : public ::testing::Test {
  protected:
-  /// A server whose every frame is a revision, and whose refinements are taken over at their turn.
+  /// A server for which every frame is a revision and refinements are applied at fixed frames.
   std::unique_ptr<TestServer> MakeServer(MapStore& store, const std::string& map_id, bool records) {
     OpenMapOptions options{.mapping = {.num_threads = 1, .refinement_timing = RefinementTiming::kReproducible},
                            .publish = {.frames = 1}};
@@ -48,7 +48,7 @@ class RecordedEdits : public ::testing::Test {
     return std::move(RecordReader::Open(files.at(0))).value();
   }
 
-  /// Frames with edits of every request that edits before, between and after them.
+  /// Feeds frames, with edits by every kind of request before, between and after them.
   std::shared_ptr<const MapSnapshot> MapAndEdit() {
     const auto store = MakeMemoryStore();
     const auto server = MakeServer(*store, "room", true);
@@ -73,10 +73,10 @@ class RecordedEdits : public ::testing::Test {
     rename.set_expected_revision(Now(*server, "room")->revision());
     rename.set_request_id("00000000-0000-4000-8000-000000000001");
     const std::int64_t renamed = Make(*server, &SubmapStub::UpdateSubmap, rename);
-    Make(*server, &SubmapStub::UpdateSubmap, rename);  // a retry, which is no second edit
+    Make(*server, &SubmapStub::UpdateSubmap, rename);  // a retry, which is not a second edit
     rename.set_validate_only(true);
     rename.clear_expected_revision();
-    Make(*server, &SubmapStub::UpdateSubmap, rename);  // nor is this
+    Make(*server, &SubmapStub::UpdateSubmap, rename);  // nor is this one
     v1::CloneSubmapRequest clone;
     clone.set_name(thing);
     clone.mutable_map_from_submap()->mutable_translation_m()->set_z(2);
@@ -109,9 +109,9 @@ class RecordedEdits : public ::testing::Test {
     Make(*server, &SubmapStub::CloneSubmap, clone);
     v1::RestoreRevisionRequest restore;
     restore.set_map("maps/room");
-    restore.set_revision(titled);  // which an edit has made
+    restore.set_revision(titled);  // a revision that an edit has made
     Make(*server, &EditStub::RestoreRevision, restore);
-    restore.set_revision(renamed - 1);  // which one met
+    restore.set_revision(renamed - 1);  // the revision that an edit was applied to
     restore.set_submap(thing);
     Make(*server, &EditStub::RestoreRevision, restore);
     EXPECT_OK(Feed(*server, "room", 12, 16));
@@ -124,7 +124,7 @@ class RecordedEdits : public ::testing::Test {
     return server.Call(method, request).value().revision();
   }
 
-  /// Feeds the record into the map, which is there, and makes its edits.
+  /// Feeds the record into an existing map and makes its edits.
   void ReplayInto(TestServer& server, const std::string& map_id) {
     RecordReader reader = Reader();
     ReplayStreams streams(client::Caller::Over(server.channel()), "maps/" + map_id,
@@ -155,7 +155,7 @@ class RecordedEdits : public ::testing::Test {
   int num_edits_ = 0;
 };
 
-TEST_F(RecordedEdits, TheRecordMakesTheSameMapWithItsEdits) {
+TEST_F(RecordedEdits, ReplayingARecordMakesTheSameMapWithItsEdits) {
   const auto original = MapAndEdit();
   const auto store = MakeMemoryStore();
   const auto server = MakeServer(*store, "again", false);
@@ -168,11 +168,11 @@ TEST_F(RecordedEdits, TheRecordMakesTheSameMapWithItsEdits) {
   EXPECT_TRUE(again->info().pairs == original->info().pairs);
 }
 
-TEST_F(RecordedEdits, AnEditThatIsNamedIsTheOneThatWasMadeThere) {
+TEST_F(RecordedEdits, AReferencedEditMeansTheOneMadeInTheReplay) {
   const auto original = MapAndEdit();
   const auto store = MakeMemoryStore();
   const auto server = MakeServer(*store, "again", false);
-  for (const char* title : {"one", "two", "three"}) {  // so that revisions are others than those of the record
+  for (const char* title : {"one", "two", "three"}) {  // so that revisions differ from the recorded ones
     v1::UpdateMapRequest request;
     request.mutable_map()->set_name("maps/again");
     request.mutable_map()->set_display_name(title);
@@ -189,7 +189,7 @@ TEST_F(RecordedEdits, AnEditThatIsNamedIsTheOneThatWasMadeThere) {
   EXPECT_EQ(again->revision(), original->revision() + 3);
 }
 
-TEST_F(RecordedEdits, AStateThatNoEditHasMadeOrMetIsNotKnownThere) {
+TEST_F(RecordedEdits, AReferenceToAStateOfNoEditIsUnknownInTheReplay) {
   const auto store = MakeMemoryStore();
   const auto server = MakeServer(*store, "again", false);
   v1::RestoreRevisionRequest restore;
@@ -204,7 +204,7 @@ TEST_F(RecordedEdits, AStateThatNoEditHasMadeOrMetIsNotKnownThere) {
   EXPECT_EQ(edits.Make(edit).code, client::StatusCode::kFailedPrecondition);
 }
 
-TEST_F(RecordedEdits, OneOfAnOlderRecordOrAnUnknownRequestIsNotKnown) {
+TEST_F(RecordedEdits, RecordsOfOlderVersionsAndUnknownRequestsAreNotReplayed) {
   v1::RecordedEdit edit;
   edit.set_revision(7);
   EXPECT_FALSE(ReplayEdits::Knows(edit));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kNumNoisyFrames = 12;
 
-/// Every third frame takes half of the box for floor.
+/// Labels half of the box as floor in every third frame.
 v1::Frame NoisyFrame(int i) {
   constexpr std::uint32_t kBox = 2, kFloor = 3;
   v1::Frame frame = TestFrame(i);
@@ -49,7 +49,7 @@ v1::FinishMappingResponse FinishMapping(TestServer& server) {
   return server.Call(&MappingStub::FinishMapping, "maps/room").value();
 }
 
-TEST(Refinement, FinishMappingSaysWhatItDid) {
+TEST(Refinement, FinishMappingReportsWhatItDid) {
   const auto store = MakeMemoryStore();
   std::atomic<int> num_observed = 0;
   TestServer server(*store, {.mapping = {.on_refinement = [&](const RefinementReport&) { ++num_observed; }}});
@@ -93,7 +93,7 @@ TEST(Refinement, DroppedVoxelLabelsAreReportedAndSurviveARestart) {
   }
 }
 
-TEST(Refinement, OnTheSideQueriesGoOnAndEachSeesOneRevision) {
+TEST(Refinement, QueriesContinueDuringRefinementAndEachSeesOneRevision) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {.publish = {.frames = 1}});
   v1::CreateMapRequest request = CreateRequest("room");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reflection as a client sees it: one stream, of questions that are answered one by one.
+// Reflection as a client uses it: one stream of questions, answered one by one.
 #include <google/protobuf/descriptor.pb.h>
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ TEST_F(Reflection, DescribesEachServiceThatItLists) {
   EXPECT_OK(stream_->Finish());
 }
 
-TEST_F(Reflection, GoesOnAfterWhatIsNotThere) {
+TEST_F(Reflection, ContinuesAfterAnUnknownName) {
   ASSERT_TRUE(AskForSymbol("no.Service"));
   EXPECT_EQ(answer_.error_response().error_code(), grpc::NOT_FOUND);
   EXPECT_EQ(answer_.original_request().file_containing_symbol(), "no.Service");
@@ -84,7 +84,7 @@ TEST_F(Reflection, HoldsNothingBetweenQuestions) {
   EXPECT_TRUE(Eventually([&] { return budget_->used_bytes() == 0; })) << budget_->used_bytes();
 }
 
-TEST_F(Reflection, IsAnsweredWithinTheBudget) {
+TEST_F(Reflection, StaysWithinTheBudget) {
   ASSERT_TRUE(budget_->TryTake(budget_->limit_bytes()));
   ASSERT_TRUE(AskForServices());  // small
   EXPECT_TRUE(answer_.has_list_services_response());
@@ -95,7 +95,7 @@ TEST_F(Reflection, IsAnsweredWithinTheBudget) {
   budget_->GiveBack(budget_->limit_bytes());
 }
 
-TEST_F(Reflection, EndsWhenTheServerDoes) {
+TEST_F(Reflection, EndsWithTheServer) {
   ASSERT_TRUE(AskForServices());
   server_.grpc().Drain();
   EXPECT_FALSE(stream_->Read(&answer_));

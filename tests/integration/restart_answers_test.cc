@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every query before and after a restart: of a map with free space, something that is gone and something that was
-// moved.
+// Every query before and after a restart, on a map with free space, a removed object and a moved one.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,7 +16,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// A server on a file, with a room from which the chair was carried off.
+/// A server on a file, with a room from which the chair was removed.
 class RestartAnswers : public ServerOnFile {
  protected:
   void MapUntilTheChairIsGone() {
@@ -39,7 +38,7 @@ class RestartAnswers : public ServerOnFile {
     request.set_map("maps/room");
     return server->Call(method, request).value();
   }
-  /// visit(x, y, z) at places all over the room, also behind its walls.
+  /// Calls visit(x, y, z) for places all over the room, also behind its walls.
   template <typename Visit>
   static void ForEachPlace(double step_m, const Visit& visit) {
     const auto num_steps = [step_m](double length_m) { return static_cast<int>(length_m / step_m) + 1; };
@@ -151,7 +150,7 @@ class RestartAnswers : public ServerOnFile {
   }
 
  private:
-  /// A list tells boxes as far as it need not read voxels from the disk for them.
+  /// Lists contain boxes only if they need not read voxels from disk for them.
   static void ClearBox(v1::Submap& submap) {
     submap.clear_oriented_box();
     submap.clear_footprint();
@@ -179,9 +178,9 @@ class RestartAnswers : public ServerOnFile {
   }
 };
 
-TEST_F(RestartAnswers, OfAMapThatWasLoadedAreTheSameBytes) {
+TEST_F(RestartAnswers, OfALoadedMapAreTheSameBytes) {
   MapUntilTheChairIsGone();
-  Restart();  // from here on distances are as the store rounds them
+  Restart();  // from here on distances are rounded as in the store
   MoveTheCrate(0.6);
   const auto before = AllBytes();
   EXPECT_NE(before.at("distances"), before.at("distances with what was left free")) << "so that is looked at, too";
@@ -215,7 +214,7 @@ TEST_F(RestartAnswers, AreTheSameBytesAtAnyMemoryBudget) {
   EXPECT_TRUE(Eventually([] { return CountPages().num_evicted > 0; })) << "of a budget of nothing";
 }
 
-TEST_F(RestartAnswers, ThatNeedMoreThanRequestsMayHoldAreRefusedAndAllElseGoesOn) {
+TEST_F(RestartAnswers, ThatNeedTooMuchMemoryAreRefusedAndOtherCallsContinue) {
   MapUntilTheChairIsGone();
   page_bytes = std::int64_t{1} << 20;
   Restart();
@@ -231,12 +230,12 @@ TEST_F(RestartAnswers, ThatNeedMoreThanRequestsMayHoldAreRefusedAndAllElseGoesOn
   EXPECT_EQ(refused.reason(), "OVER_MEMORY_BUDGET");
   EXPECT_EQ(server->Call(&SubmapStub::GetSubmapMesh, "maps/room").code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_TRUE(Eventually([] { return PageReaderBytes() == 0; })) << "what was refused holds nothing";
-  Walk(*server, "room", WalkedRoom(false, true), 26, 28);  // frames are not refused for what requests hold
+  Walk(*server, "room", WalkedRoom(false, true), 26, 28);  // frames are not refused when requests use up their memory
   SetPageReaderLimit({});
   EXPECT_OK(server->Call(&QueryStub::QueryPoints, request));
 }
 
-/// How many of two lists, as long as each other, differ.
+/// Number of different items of two lists of equal length.
 template <typename List, typename Differ>
 int NumDiffering(const List& a, const List& b, const Differ& differ) {
   EXPECT_EQ(a.size(), b.size());
@@ -249,7 +248,7 @@ int NumDiffering(const List& a, const List& b) {
   return NumDiffering(a, b, [](const auto& x, const auto& y) { return x != y; });
 }
 
-TEST_F(RestartAnswers, OfAMapThatWasJustMadeAreThoseOfTheStoreButForItsRounding) {
+TEST_F(RestartAnswers, OfANewMapDifferFromTheStoredOnesByRoundingOnly) {
   MapUntilTheChairIsGone();
   MoveTheCrate(0.6);
   const v1::ListSubmapsResponse submaps = Submaps();
@@ -270,7 +269,7 @@ TEST_F(RestartAnswers, OfAMapThatWasJustMadeAreThoseOfTheStoreButForItsRounding)
     return [=](float a, float b) { return std::isnan(a) != std::isnan(b) || std::abs(a - b) > tolerance_m; };
   };
   EXPECT_LE(NumDiffering(points_after.tsdf_m(), points.tsdf_m(), is_off(0.08 / 4096 + 1e-7)), 2);
-  // A rounding may decide where two surfaces are as near, and whether a ray meets an edge.
+  // Rounding may decide between equally near surfaces, and whether a ray hits an edge.
   const auto allowed = [](int size) { return size / 200; };
   const v1::PackedDistanceResults distances_after = Distances(v1::Vacated::FREE).packed();
   const int num_distances = distances.status_size();
@@ -287,19 +286,19 @@ TEST_F(RestartAnswers, OfAMapThatWasJustMadeAreThoseOfTheStoreButForItsRounding)
   ASSERT_EQ(slice_after.cells().size(), slice.cells().size());
   int num_cells = 0;
   for (std::size_t i = 0; i < slice.cells().size(); ++i) num_cells += slice.cells()[i] != slice_after.cells()[i];
-  // A triangle that ends at a cell's border may be rounded into the next cell.
+  // Rounding may move a triangle at a cell's border into the next cell.
   EXPECT_LE(num_cells, 2 * allowed(static_cast<int>(slice.cells().size())));
   ASSERT_EQ(Relations().relations_size(), relations.relations_size());
 }
 
-TEST_F(RestartAnswers, WhatWasLookedThroughBeforeARestartCountsAfterIt) {
+TEST_F(RestartAnswers, GoneCountsFromBeforeARestartCountAfterIt) {
   const auto whole_store = MakeMemoryStore();
   TestServer whole(*whole_store);
   CreateWalkedMap(whole, "room");
   CreateWalkedMap(*server, "room");
   Walk(whole, "room", WalkedRoom(true), 0, 12);
   Walk(*server, "room", WalkedRoom(true), 0, 12);
-  // One look, even one that counts twice, contradicts nothing.
+  // A single view contradicts nothing, even if it counts twice.
   Walk(*server, "room", WalkedRoom(false), 12, 13);
   EXPECT_EQ(ListedOfClass(*server, "room", kChairClass).last_contradicted_stamp_ns(), 0);
   Restart();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A map and its objects taken back to a revision, as clients ask for it.
+// Restoring a map or an object to a revision, as a client does it.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -28,7 +28,7 @@ class RestoreRevisionTest : public ::testing::Test {
   }
 
   std::int64_t Now() { return (*server.registry().ViewOf("room"))->snapshot().revision(); }
-  /// All objects, but for what numbers their states.
+  /// All objects, without the fields that number their states.
   std::string Objects() {
     auto answer = server.Call(&SubmapStub::ListSubmaps, "maps/room").value();
     answer.clear_revision();
@@ -55,7 +55,7 @@ class RestoreRevisionTest : public ::testing::Test {
   bool Rename(const std::string& name) {
     return Edit("1", [&](v1::Edit& edit) { edit.mutable_rename()->set_display_name(name); });
   }
-  /// A name, a deletion and a copy.
+  /// Renames one object, deletes one and copies one.
   void EditAll() {
     ASSERT_TRUE(Rename("lamp"));
     ASSERT_TRUE(Edit("2", [](v1::Edit& edit) { edit.mutable_delete_(); }));
@@ -72,7 +72,7 @@ class RestoreRevisionTest : public ::testing::Test {
     if (!submap.empty()) request.set_submap("maps/room/submaps/" + submap);
     return request;
   }
-  /// "OK", or the reason.
+  /// Returns "OK" or the reason.
   std::string Restore(const v1::RestoreRevisionRequest& request) {
     grpc::Status status;
     response = server.Call(&EditStub::RestoreRevision, request).KeepStatus(status);
@@ -82,10 +82,10 @@ class RestoreRevisionTest : public ::testing::Test {
   std::unique_ptr<MapStore> store = MakeTestStore();
   TestServer server{*store, KeepsFew()};
   v1::RestoreRevisionResponse response;
-  v1::ApplyEditsResponse applied;  // last
+  v1::ApplyEditsResponse applied;  // the last one
 };
 
-TEST_F(RestoreRevisionTest, TheMapAnswersAsItDidAndTheLogSaysSo) {
+TEST_F(RestoreRevisionTest, TheMapAnswersAsBeforeAndTheRestoreIsLogged) {
   const std::int64_t past = Now();
   const std::string objects = Objects(), points = Points();
   EditAll();
@@ -125,7 +125,7 @@ TEST_F(RestoreRevisionTest, TheMapAnswersAsItDidAndTheLogSaysSo) {
   EXPECT_EQ(Objects(), edited);
 }
 
-TEST_F(RestoreRevisionTest, ARetryIsAnsweredTheSameThoughTheStateIsKeptNoLonger) {
+TEST_F(RestoreRevisionTest, ARetryGetsTheSameAnswerAfterTheStateWasDropped) {
   const std::int64_t past = Now();
   EditAll();
   v1::RestoreRevisionRequest request = Request(past);
@@ -140,7 +140,7 @@ TEST_F(RestoreRevisionTest, ARetryIsAnsweredTheSameThoughTheStateIsKeptNoLonger)
   EXPECT_EQ(Restore(request), "REQUEST_ID_REUSED");
 }
 
-TEST_F(RestoreRevisionTest, OneObjectComesBackAndOthersStay) {
+TEST_F(RestoreRevisionTest, OneObjectIsRestoredAndOthersStay) {
   const std::int64_t past = Now();
   EditAll();
   const std::string copy = applied.results(0).created_submaps(0);
@@ -156,7 +156,7 @@ TEST_F(RestoreRevisionTest, OneObjectComesBackAndOthersStay) {
   EXPECT_EQ(Restore(request), "SUBMAP_NOT_FOUND") << "it was not there";
 }
 
-TEST_F(RestoreRevisionTest, BadRequestsAreToldApart) {
+TEST_F(RestoreRevisionTest, InvalidRequestsHaveDifferentErrors) {
   const std::int64_t past = Now();
   EXPECT_EQ(Restore(Request(0)), "BAD_REVISION");
   EXPECT_EQ(Restore(Request(past + 1)), "BAD_REVISION");
@@ -177,7 +177,7 @@ TEST_F(RestoreRevisionTest, BadRequestsAreToldApart) {
   EXPECT_EQ(Restore(request), "MAP_NOT_FOUND");
 }
 
-TEST_F(RestoreRevisionTest, MappingGoesOnFromThere) {
+TEST_F(RestoreRevisionTest, MappingContinuesFromTheRestoredState) {
   const std::int64_t past = Now();
   EditAll();
   ASSERT_EQ(Restore(Request(past)), "OK");
@@ -185,7 +185,7 @@ TEST_F(RestoreRevisionTest, MappingGoesOnFromThere) {
   ASSERT_OK(fed);
   const auto state = (*server.registry().ViewOf("room"))->shared_snapshot();
   EXPECT_EQ(state->info().num_frames, 16) << "frames are counted on";
-  // What is seen again is what came back: there is nothing that would not be there without the edits.
+  // Frames are matched to the restored objects: the same map without the edits gets no other object.
   const auto twin_store = MakeTestStore();
   TestServer twin(*twin_store);
   ASSERT_OK(twin.Call(&MapStub::CreateMap, CreateRequest("room")));

@@ -15,7 +15,7 @@
 
 namespace dhpmap::testing {
 
-/// A server over a database in a folder of its own, which can be started anew.
+/// A server on a database in its own folder; it can be restarted.
 class ServerOnFile : public ::testing::Test {
  protected:
   void SetUp() override { Start(); }
@@ -37,7 +37,7 @@ class ServerOnFile : public ::testing::Test {
   }
 
   TempDir dir;
-  std::int64_t page_bytes = 0;  ///< of the server that is started next: see OpenMapOptions
+  std::int64_t page_bytes = 0;  ///< of the next server: see OpenMapOptions
   std::unique_ptr<MapStore> store;
   std::unique_ptr<TestServer> server;
 };

@@ -23,7 +23,7 @@ namespace {
 
 using ServerStub = v1::ServerService::Stub;
 
-TEST(ServerStatus, IsOfTheServerItsDiskAndItsFeeds) {
+TEST(ServerStatus, DescribesTheServerItsDiskAndItsFeeds) {
   const TempDir folder;
   const std::string file = (folder.path() / "maps.db").string();
   std::ofstream(file) << "1234567";
@@ -57,7 +57,7 @@ TEST(ServerStatus, IsOfTheServerItsDiskAndItsFeeds) {
   EXPECT_OK(feeder.Finish());
 }
 
-TEST(ServerStatus, TellsTheLastWarningOfAFeed) {
+TEST(ServerStatus, ContainsTheLastWarningOfAFeed) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
@@ -91,7 +91,7 @@ TEST(ServerStatus, TellsTheLastWarningOfAFeed) {
   }
 }
 
-TEST(ServerStatus, OfADiskThatIsNotKnownIsToldSo) {
+TEST(ServerStatus, MarksAnUnknownDiskAsUnknown) {
   const auto store = MakeMemoryStore();
   TestServer server(*store, {}, {.database = "/no/such/folder/maps.db"});
   const auto status = server.Call(&ServerStub::GetServerStatus, v1::GetServerStatusRequest());
@@ -101,8 +101,8 @@ TEST(ServerStatus, OfADiskThatIsNotKnownIsToldSo) {
   EXPECT_EQ(status->database_bytes(), 0);
 }
 
-/// Of one thread: a pulse is felt only when the lane that answers queries is free.
-TEST(QuickLanePulse, StandsStillWhileTheLaneDoes) {
+/// The lane has one thread, so its pulse needs a free lane.
+TEST(QuickLanePulse, StopsWhileTheLaneIsBlocked) {
   const auto store = MakeMemoryStore();
   std::promise<void> release;
   std::atomic<int> num_felt = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several robots feed one map, somebody looks who they are and ends one, and what came is kept and fed again.
+// Several robots feed one map; a client lists their sessions and ends one; the recorded frames are replayed.
 #include <google/protobuf/util/time_util.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ std::shared_ptr<const MapSnapshot> StateOf(TestServer& server, const std::string
   return (*server.registry().GetOpen(map_id))->View()->shared_snapshot();
 }
 
-TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
+TEST(Sessions, SeveralFeedOneMapAndEachResumesAfterItsOwnStoredFrames) {
   const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMap(server, CreateRequest("room"));
@@ -77,7 +77,7 @@ TEST(Sessions, SeveralFeedOneMapAndEachGoesOnWhereItsOwnFramesWereStored) {
   EXPECT_EQ(a.Feed(5)->outcome(), v1::IntegrateFramesResponse::FUSED);
 }
 
-/// However much one sends, a frame of another waits for no more than its own stream may have on the way.
+/// However much one robot sends, another's frame waits for at most its own stream's frames in flight.
 TEST(Sessions, OneRobotCannotStarveAnother) {
   constexpr int kInFlight = 3, kFlood = 24;
   const auto store = MakeTestStore();
@@ -86,7 +86,7 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
   Feeder flood(server, "room", {.session = "flood"}), other(server, "room", {.session = "other"});
   ASSERT_TRUE(flood.Feed(0) && other.Feed(0));
   const std::int64_t message_bytes = SessionsOf(server, "room")["other"].num_bytes();
-  // Messages that wait for the writer, or have come to it.
+  // Messages that have reached the writer or its queue.
   const auto num_come = [&](const std::string& session) {
     return (SessionsOf(server, "room")[session].num_bytes() + message_bytes / 2) / message_bytes;
   };
@@ -113,10 +113,10 @@ TEST(Sessions, OneRobotCannotStarveAnother) {
   EXPECT_LE(ack->revision() - revision, kInFlight + 1 + 1) << "one for the edit that held the writer";
 }
 
-TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
+TEST(Sessions, AreListedWithTheirFrames) {
   const auto store = MakeTestStore();
   constexpr std::int64_t kTick_ns = 1'000'000, kBegin_ns = std::int64_t{1} << 60;
-  std::atomic<std::int64_t> now_ns = kBegin_ns;  // else frames of more than 10 s ago would count for no rate
+  std::atomic<std::int64_t> now_ns = kBegin_ns;  // else old frames would not count in the rate
   TestServer server(*store,
                     {.commit = {.frames = 1}, .feeds = {.idle_s = 1e6}, .now_ns = [&] { return now_ns += kTick_ns; }});
   CreateMap(server, CreateRequest("room"));
@@ -152,7 +152,7 @@ TEST(Sessions, AreListedWithWhatTheyHaveBrought) {
   EXPECT_EQ(sessions["a"].num_frames(), 3);
 }
 
-TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
+TEST(Sessions, EndingOneRefusesItsQueuedFrames) {
   const auto store = MakeTestStore();
   TestServer server(*store, {.publish = {.frames = 1}, .feeds = {.idle_s = 1000}}, {.max_frames_in_flight = 8});
   CreateMap(server, CreateRequest("room"));
@@ -178,8 +178,8 @@ TEST(Sessions, OneIsEndedAndItsWaitingFramesAreRefused) {
   EXPECT_EQ(StateOf(server, "room")->info().sessions.LastOf("a"), 1);
 }
 
-/// Two see the room in turns, one sees it alone: the same things, each once, and nearly the same surface.
-TEST(Sessions, TwoRobotsMakeTheMapThatOneMakes) {
+/// Two robots see the room in turns, one sees it alone: the same objects, each once, and nearly the same surface.
+TEST(Sessions, TwoRobotsMakeTheSameMapAsOne) {
   constexpr int kNumFrames = 16;
   const auto store = MakeTestStore();
   TestServer server(*store, {.mapping = {.refinement_timing = RefinementTiming::kReproducible}});
@@ -208,7 +208,7 @@ TEST(Sessions, TwoRobotsMakeTheMapThatOneMakes) {
   }
 }
 
-TEST(Sessions, FinishingShowsInAWatchAndCanBeCancelled) {
+TEST(Sessions, FinishingIsReportedByAWatchAndCanBeCancelled) {
   const auto store = MakeTestStore();
   TestServer server(*store);
   CreateMap(server, CreateRequest("room"));
@@ -243,7 +243,7 @@ TEST(Sessions, FinishingShowsInAWatchAndCanBeCancelled) {
     }
     finishing.TryCancel();
     EXPECT_EQ(finished.get().error_code(), grpc::CANCELLED);
-    // The client is told at once. The writer stays held until the server has heard of it too, or it might still finish.
+    // The client learns of the end at once. The writer is held until the server has noticed, or it might finish before.
     do {
       ASSERT_TRUE(watch->Read(&message));
     } while (!message.has_progress() || message.progress().has_finishing());
@@ -258,7 +258,7 @@ TEST(Sessions, FinishingShowsInAWatchAndCanBeCancelled) {
 
 class RecordedSessions : public ::testing::Test {
  protected:
-  /// Feeds the map 'room' of a server that records; what was recorded lies in one file.
+  /// Feeds the map 'room' of a recording server; the record is one file.
   template <typename Use>
   std::shared_ptr<const MapSnapshot> Record(int num_threads, Use&& use, std::int64_t max_bytes = 1 << 30) {
     const auto store = MakeTestStore();
@@ -286,7 +286,7 @@ class RecordedSessions : public ::testing::Test {
     EXPECT_EQ(files.size(), 1u);
     return files.at(0);
   }
-  /// Feeds what was recorded into another server, and answers what it made of it.
+  /// Replays the record into another server; returns the resulting map.
   std::shared_ptr<const MapSnapshot> ReplayInto(TestServer& server) {
     auto reader = std::move(RecordReader::Open(File())).value();
     v1::CreateMapRequest request;
@@ -313,7 +313,7 @@ class RecordedSessions : public ::testing::Test {
   std::vector<std::string> stopped_;
 };
 
-/// Sessions and streams without one, in turns, one of them with persistent ids.
+/// Sessions and unnamed streams in turns, one of them with persistent ids.
 void FeedInTurns(TestServer& server) {
   for (int round = 0; round < 3; ++round) {
     Feeder a(server, "room", {.session = "a"}), b(server, "room", {.session = "b"});
@@ -333,7 +333,7 @@ void FeedInTurns(TestServer& server) {
   }
 }
 
-TEST_F(RecordedSessions, TheRecordMakesTheSameMapForAnyNumberOfThreads) {
+TEST_F(RecordedSessions, ReplayingMakesTheSameMapForAnyNumberOfThreads) {
   const auto original = Record(1, FeedInTurns);
   EXPECT_EQ(original->info().num_frames, 18);
   EXPECT_TRUE(stopped_.empty());
@@ -345,7 +345,7 @@ TEST_F(RecordedSessions, TheRecordMakesTheSameMapForAnyNumberOfThreads) {
   }
 }
 
-TEST_F(RecordedSessions, WhatWasRefusedIsMarkedAndATornEndIsNoError) {
+TEST_F(RecordedSessions, RefusedFramesAreMarkedAndATruncatedEndIsNoError) {
   Record(1, [](TestServer& server) {
     Feeder a(server, "room", {.session = "a"});
     ASSERT_TRUE(a.Feed(0));
@@ -377,13 +377,13 @@ TEST_F(RecordedSessions, WhatWasRefusedIsMarkedAndATornEndIsNoError) {
   EXPECT_EQ(events(), "ffrf torn");
 }
 
-TEST_F(RecordedSessions, AMapThatNoFrameCanBeReadForLeavesNoFile) {
+TEST_F(RecordedSessions, AMapWithoutAValidFrameLeavesNoFile) {
   Record(1, [](TestServer& server) {
     grpc::ClientContext context;
     const auto stream = server.mapping->IntegrateFrames(&context);
     v1::IntegrateFramesRequest bad;
     bad.set_map("maps/room");
-    bad.mutable_frame()->set_stamp_ns(1);  // and nothing else
+    bad.mutable_frame()->set_stamp_ns(1);  // no other field
     stream->Write(bad);
     stream->WritesDone();
     v1::IntegrateFramesResponse answer;
@@ -405,7 +405,7 @@ TEST_F(RecordedSessions, AFullFolderIsNotFilledWithEmptyFiles) {
   EXPECT_OK(records->Begin("room", 8)) << "somebody has taken it away";
 }
 
-TEST_F(RecordedSessions, WhenThereIsNoRoomRecordingStopsAndMappingGoesOn) {
+TEST_F(RecordedSessions, OnAFullDiskRecordingStopsAndMappingContinues) {
   const auto all = Record(
       1, [](TestServer& server) { ASSERT_OK(Feed(server, "room", 0, 12)); }, 200'000);
   EXPECT_EQ(all->info().num_frames, 12);

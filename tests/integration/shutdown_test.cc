@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A server that is told to end keeps its grace, whatever it is fusing.
+// A server that shuts down ends after its grace period, whatever it is fusing.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -19,7 +19,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// Is there when the writer takes a frame, and when it has refused it.
+/// Observes when the writer takes a frame and when it refuses it.
 class FrameWitness final : public FrameRecorder {
  public:
   using Taken = std::function<void(std::int64_t sequence)>;
@@ -37,7 +37,7 @@ class FrameWitness final : public FrameRecorder {
   const Refused refused_;
 };
 
-TEST(Shutdown, GivesUpTheFrameInHandOnceTheGraceIsOver) {
+TEST(Shutdown, CancelsTheRunningFrameAfterTheGracePeriod) {
   constexpr int kFrames = 4, kInHand = 1;
   std::promise<void> in_hand;
   std::atomic<const OpenMap*> room = nullptr;
@@ -67,7 +67,7 @@ TEST(Shutdown, GivesUpTheFrameInHandOnceTheGraceIsOver) {
   ASSERT_OK(server.registry().Shutdown());
   EXPECT_EQ(num_refused, 1) << "of those that were taken";
 
-  // What it stored are frames as a whole.
+  // Only complete frames are stored.
   const auto stored = store->LoadMap("room");
   ASSERT_OK(stored);
   EXPECT_EQ((*stored)->info().num_frames, kInHand);
@@ -78,12 +78,12 @@ TEST(Shutdown, GivesUpTheFrameInHandOnceTheGraceIsOver) {
   EXPECT_TRUE(MapsAreEqual(*alone.map().Freeze(), **stored));
 }
 
-TEST(ShutdownAtOnce, LeavesNothingRunningThatLooksForMaps) {
+TEST(ShutdownAtOnce, LeavesNoTaskThatUsesTheRegistry) {
   for (int i = 0; i < 40; ++i) {
     const std::unique_ptr<MapStore> store = MakeMemoryStore();
     TestServer server(*store);
     ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));
-    server.grpc().Shutdown(1e-4 * i);  // the grace ends about when all else has
+    server.grpc().Shutdown(1e-4 * i);  // ends at about the same time as the other work
   }
 }
 

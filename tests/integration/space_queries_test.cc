@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slices, grids, objects and streams of queries, of a mapped TestScene, through both doors.
+// Slices, grids, objects and streams of queries on a mapped TestScene, through both doors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,12 +15,12 @@ namespace {
 class SpaceQueries : public MappedScene {
  protected:
   static void SetUpTestSuite() { SetUpWith({}, 40); }
-  /// The two doors: TCP, and the one that REST goes through.
+  /// The two doors: TCP, and the channel that REST uses.
   static std::vector<std::shared_ptr<grpc::Channel>> Doors() {
     return {server_->channel(), server_->grpc().InProcessChannel()};
   }
 
-  /// Asks through both doors, which must agree.
+  /// Queries both doors, whose answers must be equal.
   template <typename Request, typename Response>
   Response Ask(Client::Unary<QueryStub, Request, Response> method, const Request& request) {
     Response response;
@@ -42,7 +42,7 @@ class SpaceQueries : public MappedScene {
     request.set_max_z_m(max_z_m);
     return request;
   }
-  /// Distances of a box of nodes, all messages put together.
+  /// Distances at the nodes of a box, all messages joined.
   v1::QueryDistanceGridResponse Grid(const v1::QueryDistanceGridRequest& request) {
     v1::QueryDistanceGridResponse all;
     const auto parts = server_->Call(&QueryStub::QueryDistanceGrid, request).KeepStatus(status);
@@ -106,7 +106,7 @@ TEST_F(SpaceQueries, ASliceShowsTheScene) {
   EXPECT_NE(Slice(request).cells(), "\x64") << "without the ball";
 }
 
-TEST_F(SpaceQueries, SlicesComeAsPicturesWithTheirYaml) {
+TEST_F(SpaceQueries, SlicesAreServedAsImagesWithTheirYaml) {
   v1::QueryOccupancySliceRequest request = SliceRequest(0.1, 0.6);
   const auto cells = Slice(request);
   request.set_format(v1::QueryOccupancySliceRequest::PGM);
@@ -158,7 +158,7 @@ TEST_F(SpaceQueries, BadSlicesAreRefusedByField) {
   ExpectRefused(grpc::FAILED_PRECONDITION, "area");
 }
 
-TEST_F(SpaceQueries, AGridIsTheDistancesAtItsNodes) {
+TEST_F(SpaceQueries, AGridContainsTheDistancesAtItsNodes) {
   v1::QueryDistanceGridRequest request = GridRequest();
   request.set_include_gradients(true);
   request.set_include_objects(true);
@@ -230,7 +230,7 @@ TEST_F(SpaceQueries, ObjectsAreFoundAndRelated) {
   for (const v1::Relation& relation : relations.relations()) EXPECT_NE(relation.kind(), v1::Relation::IN);
 }
 
-TEST_F(SpaceQueries, PagesOfMatchesAndRelationsAreTheWholeLists) {
+TEST_F(SpaceQueries, PagesOfMatchesAndRelationsFormTheCompleteLists) {
   v1::SearchSubmapsRequest search;
   search.set_map("maps/room");
   search.mutable_near_point_m()->set_z(1.0);
@@ -262,7 +262,7 @@ TEST_F(SpaceQueries, PagesOfMatchesAndRelationsAreTheWholeLists) {
   EXPECT_EQ(ReasonOf(status), "BAD_PAGE_TOKEN");
 }
 
-TEST_F(SpaceQueries, BadQuestionsAboutObjectsAreRefusedByField) {
+TEST_F(SpaceQueries, InvalidObjectQueriesAreRefusedByField) {
   const std::pair<const char*, std::function<void(v1::SearchSubmapsRequest&)>> bad[] = {
       {"page_size", [](auto& r) { r.set_page_size(-1); }},
       {"near_point_m", [](auto& r) { r.mutable_near_point_m()->set_x(std::numeric_limits<double>::infinity()); }},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many streams there may be: one beyond is told so at once, or waits in its client, and those before go on.
+// Limits of streams: one beyond a limit is refused at once or waits in its client, and earlier ones continue.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -24,7 +24,7 @@ class StreamCaps : public ::testing::Test {
   std::unique_ptr<TestServer> server;
 };
 
-TEST_F(StreamCaps, AFeederBeyondThemIsRefusedAtOnceAndTheOthersGoOn) {
+TEST_F(StreamCaps, AFeederBeyondThemIsRefusedAtOnceAndOthersContinue) {
   Begin({.feeds = {.idle_s = 1000, .max_feeds = 2}});
   Feeder a(*server, "room", {.session = "a"}), b(*server, "room", {.session = "b"});
   ASSERT_TRUE(a.Feed(0) && b.Feed(0));
@@ -48,7 +48,7 @@ TEST_F(StreamCaps, AFeederBeyondThemIsRefusedAtOnceAndTheOthersGoOn) {
   EXPECT_EQ(fused->outcome(), v1::IntegrateFramesResponse::FUSED);
 }
 
-TEST_F(StreamCaps, OfOneConnectionHoldUpNobodyElseAndTheNextCallWaitsInItsClient) {
+TEST_F(StreamCaps, OfOneConnectionDelayNoOtherAndItsNextCallWaitsInTheClient) {
   constexpr std::size_t kMostOfOneConnection = 128;
   Begin({});
   v1::WatchMapRequest request;

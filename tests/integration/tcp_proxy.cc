@@ -17,7 +17,7 @@
 namespace dhpmap::testing {
 namespace {
 
-constexpr int kTick_ms = 5;  // how soon it sees that it has to freeze or end
+constexpr int kTick_ms = 5;  // how soon it notices a freeze or the end
 
 sockaddr_in Local(int port) {
   sockaddr_in address{};
@@ -42,7 +42,7 @@ int Listen(int& port) {
   return listener;
 }
 
-/// False if the connection is over. Takes what it passes on from `num_bytes`, and no more than that.
+/// False if the connection has ended. Forwards at most `num_bytes`, which it decreases.
 bool ForwardSome(int from, int to, std::size_t& num_bytes) {
   std::array<char, 65536> bytes{};
   const ssize_t size = recv(from, bytes.data(), std::min(bytes.size(), num_bytes), 0);
@@ -79,7 +79,7 @@ void TcpProxy::Run() {
   std::array<pollfd, 2> ends{
       {{.fd = client, .events = POLLIN, .revents = 0}, {.fd = server, .events = POLLIN, .revents = 0}}};
   std::size_t num_bytes = std::numeric_limits<std::size_t>::max();
-  bool is_asked = false;  // by the server, last
+  bool is_asked = false;  // the server has sent the last bytes
   for (bool is_open = true; is_open && !is_over_ && !is_frozen_;) {
     if (poll(ends.data(), ends.size(), kTick_ms) <= 0) continue;
     if (is_frozen_) break;
@@ -109,7 +109,7 @@ CuttingProxy::~CuttingProxy() {
 }
 
 void CuttingProxy::Run() {
-  constexpr std::size_t kMostBytes = 6000;  // some ten small calls
+  constexpr std::size_t kMostBytes = 6000;  // about ten small calls
   while (!is_over_) {
     pollfd coming{.fd = listener_, .events = POLLIN, .revents = 0};
     if (poll(&coming, 1, kTick_ms) <= 0) continue;

@@ -9,8 +9,8 @@
 
 namespace dhpmap::testing {
 
-/// Forwards one connection to a port of this machine, until it freezes: then it takes and passes on nothing more, but
-/// the connection stays open, as with a process that is stopped.
+/// Forwards one connection to a port of this machine until it freezes. Then it forwards nothing more, but the
+/// connection stays open, as with a stopped process.
 class TcpProxy {
  public:
   explicit TcpProxy(int to_port);
@@ -20,7 +20,7 @@ class TcpProxy {
 
   [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
   void Freeze() { is_frozen_ = true; }
-  /// How often the client has sent something after the server had.
+  /// How often the client has sent data after the server had.
   [[nodiscard]] int num_answers() const { return num_answers_; }
 
  private:
@@ -34,8 +34,8 @@ class TcpProxy {
   std::thread thread_;
 };
 
-/// Forwards connections to a port of this machine, one after the other, and cuts each after a number of bytes that is
-/// drawn, in either direction.
+/// Forwards connections to a port of this machine, one after the other. Cuts each after a random number of bytes, in
+/// either direction.
 class CuttingProxy {
  public:
   CuttingProxy(int to_port, std::uint32_t seed);

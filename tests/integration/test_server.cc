@@ -20,7 +20,7 @@ T ValueOrDie(Result<T> result) {
   return std::move(result).value();
 }
 
-/// Of what ends by itself after a time, unless the test says after which: so that none ends on a machine that is busy.
+/// Replaces timeouts that a test does not set, so that none expires on a busy machine.
 constexpr double kLong_s = 1e6;
 
 void BePatient(double& time_s, double default_s) {
@@ -29,7 +29,7 @@ void BePatient(double& time_s, double default_s) {
 
 GrpcOptions OnFreePort(GrpcOptions options) {
   options.address = "127.0.0.1:0";
-  options.has_nice_threads = false;  // which would hardly run beside what else keeps the machine busy
+  options.has_nice_threads = false;  // low-priority threads would hardly run on a busy machine
   BePatient(options.keepalive_s, GrpcOptions().keepalive_s);
   BePatient(options.import_idle_s, GrpcOptions().import_idle_s);
   return options;
@@ -42,7 +42,7 @@ OpenMapOptions WithOneThread(OpenMapOptions options) {
   return options;
 }
 
-/// Else channels of servers before on the same port are shared.
+/// Else gRPC reuses channels of earlier servers on the same port.
 std::shared_ptr<grpc::Channel> OwnChannel(int port) {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);

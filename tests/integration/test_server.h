@@ -16,16 +16,17 @@
 
 namespace dhpmap::testing {
 
-/// A whole server but its process: registry and gRPC door over a store that the test holds, reached over TCP. It fuses
-/// with one thread, and gives nobody up for being slow, unless the options say when.
+/// A server without a process of its own: registry and gRPC door over the test's store, reached over TCP. It fuses with
+/// one thread, and has no timeouts for slow clients unless the options set them.
 class TestServer : public Client {
  public:
   explicit TestServer(MapStore& store, OpenMapOptions session = {}, GrpcOptions grpc = {}, GrpcObserver observer = {},
                       const RegistryOptions& registry = {});
-  /// Waits for no call.
+  /// Does not wait for calls.
   ~TestServer();
 
-  /// As after SIGTERM; OK if everything is in the store. Calls go on for as long as only what hangs needs.
+  /// Shuts down as after SIGTERM; OK if everything is stored. The grace period is so long that only calls that hang
+  /// exceed it.
   Status Stop() { return Stop(std::chrono::duration<double>(kPatience).count()); }
   Status Stop(double grace_s);
 
@@ -50,20 +51,20 @@ class TestServer : public Client {
   const Doors doors_;
 };
 
-/// A ball and a box (things 1 and 2) on a floor (stuff 3), seen from all around.
+/// A ball and a box (things 1 and 2) on a floor (stuff 3), seen from all sides.
 Scene TestScene();
-/// Frame i of a walk around TestScene, with its segment table, as a client would send it: raw images.
+/// Frame i of a walk around TestScene, with its segment table, as raw images.
 v1::Frame TestFrame(int i);
 
-/// A map over the classes of TestScene.
+/// A map with the classes of TestScene.
 v1::CreateMapRequest CreateRequest(const std::string& map_id);
 
-/// What came back for a stream of frames.
+/// The result of a stream of frames.
 struct FeedResult {
   std::vector<v1::IntegrateFramesResponse> acks;
   grpc::Status status;
 };
-/// Sends frames [begin, end), of the walk unless told otherwise, to maps/{map_id}, reading acknowledgements meanwhile.
+/// Sends frames [begin, end), by default of the walk, to maps/{map_id} and reads the acknowledgements meanwhile.
 FeedResult Feed(v1::MappingService::Stub& mapping, const std::string& map_id, int begin, int end,
                 const std::function<v1::Frame(int)>& frame_of = TestFrame);
 inline FeedResult Feed(TestServer& server, const std::string& map_id, int begin, int end) {

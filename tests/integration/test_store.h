@@ -7,9 +7,8 @@
 
 namespace dhpmap::testing {
 
-/// A store for one test, which nobody opens a second time: in memory; or, where the environment has
-/// TEST_STORE=postgres, a schema of its own of this process's PostgreSQL. Throws where that is not installed: whoever
-/// asks for it wants to know.
+/// A store for one test that opens it only once: in memory, or, if the environment has TEST_STORE=postgres, a new
+/// schema of this process's PostgreSQL. Throws if PostgreSQL is requested but not installed.
 std::unique_ptr<MapStore> MakeTestStore(const ChangeHistoryLimits& changes = {}, const EditLogLimits& edits = {});
 
 }  // namespace dhpmap::testing

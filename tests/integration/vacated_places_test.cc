@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an object leaves behind that an edit has moved or deleted: free where rays had passed, else as the asker says.
+// The old places of moved or deleted objects: free where rays had passed, else as the query says.
 #include <memory>
 #include <string>
 
@@ -9,8 +9,8 @@
 namespace dhpmap::testing {
 namespace {
 
-/// A room in which the crate always stood, and the chair only once its place had been looked through: in a file, so
-/// that servers can start on it.
+/// A room in which the crate always stood, and in which the chair was placed after its place had been seen free. Stored
+/// in a file, so that servers can restart.
 class VacatedPlaces : public ServerOnFile {
  protected:
   void SetUp() override {
@@ -45,7 +45,7 @@ class VacatedPlaces : public ServerOnFile {
     const auto response = server->Call(&QueryStub::QueryDistances, request).value();
     return response.results_size() == 1 ? response.results(0) : v1::DistanceResult();
   }
-  /// Of a ball of 5 cm, for which unseen space is in the way.
+  /// For a ball of 5 cm, which unobserved space blocks.
   v1::CollisionResult CollisionAt(const std::string& map, const Eigen::Vector3d& p, v1::Vacated::Policy vacated) {
     v1::CheckCollisionsRequest request;
     request.set_map("maps/" + map);
@@ -86,7 +86,7 @@ class VacatedPlaces : public ServerOnFile {
     EXPECT_FALSE(collision.colliding()) << collision.DebugString();
     EXPECT_EQ(collision.status(), v1::QueryStatus::OK);
   }
-  /// Of what both objects have left.
+  /// Checks the old places of both objects.
   void ExpectLeft(const std::string& map) {
     SCOPED_TRACE(map);
     ExpectFree(map, kChairFront_m);
@@ -103,7 +103,7 @@ class VacatedPlaces : public ServerOnFile {
   inline static const Eigen::Vector3d kChairFront_m{1.46, 0.2, 0.5};
 };
 
-TEST_F(VacatedPlaces, AreFreeWhereRaysHadPassedElseAsTheAskerSaysAlsoAfterARestart) {
+TEST_F(VacatedPlaces, AreFreeIfSeenElseAsTheQuerySaysAlsoAfterARestart) {
   const v1::PointResult chair = PointAt("moved", kChairFront_m);
   ASSERT_TRUE(chair.near_surface());
   ASSERT_EQ(chair.class_id(), kChairClass);
@@ -120,9 +120,9 @@ TEST_F(VacatedPlaces, AreFreeWhereRaysHadPassedElseAsTheAskerSaysAlsoAfterAResta
   ExpectLeft("deleted");
 }
 
-TEST_F(VacatedPlaces, NothingIsLeftWhereSomebodyHadPutAnObject) {
+TEST_F(VacatedPlaces, AnObjectPlacedByAnEditLeavesNoVacatedSpace) {
   const std::string crate = ListedOfClass(*server, "moved", kCrateClass).name();
-  const Eigen::Vector3d middle_there_m = kCrateMiddle_m + 3 * Eigen::Vector3d::UnitZ();  // above what anybody saw
+  const Eigen::Vector3d middle_there_m = kCrateMiddle_m + 3 * Eigen::Vector3d::UnitZ();  // above all observed space
   ASSERT_FALSE(PointAt("moved", middle_there_m).free());
   Move(crate, 3);
   Move(crate, 8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VerifyMap through the door: of a map that is mapped, and of one that was damaged on disk.
+// VerifyMap through the door: for a map in use, and for one that was damaged on disk.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -29,7 +29,7 @@ class VerifyMapTest : public ::testing::Test {
     const std::string labels("\x22\x01\x00\x28\xB5\x2F\xFD", 7);  // of a tile, as a frame of zstd
     std::size_t found = bytes.find(labels);
     ASSERT_NE(found, std::string::npos);
-    for (; found != std::string::npos; found = bytes.find(labels, found + 1)) {  // those that are dead, too
+    for (; found != std::string::npos; found = bytes.find(labels, found + 1)) {  // includes unreferenced ones
       file.seekp(static_cast<std::streamoff>(found + 23));
       file.put(static_cast<char>(bytes[found + 23] ^ 0x20));
     }
@@ -38,7 +38,7 @@ class VerifyMapTest : public ::testing::Test {
   TempDir folder_;
 };
 
-TEST_F(VerifyMapTest, AMapThatIsMappedIsWholeAndIsNotRepaired) {
+TEST_F(VerifyMapTest, AnIntactMapIsNotRepaired) {
   const auto store = std::move(OpenSqliteStore(Path())).value();
   TestServer server(*store);
   ASSERT_OK(server.Call(&MapStub::CreateMap, CreateRequest("room")));

@@ -12,16 +12,16 @@
 #include "tests/integration/test_server.h"
 #include "tests/support/wire_frame.h"
 
-// A room that a depth camera walks through to and fro, from which a chair is carried off: that of the tests of what is
-// gone (tests/unit/mapping/pipeline/gone_scene.h), as a client would send it.
+// A room through which a depth camera walks to and fro, and from which a chair is removed. The scene is that of the
+// tests of gone surfaces (tests/unit/mapping/pipeline/gone_scene.h), as a client would send it.
 
 namespace dhpmap::testing {
 
 inline constexpr int kChairClass = 1, kCrateClass = 2;
 inline const Eigen::Vector3d kChairMiddle_m(1.7, 0.2, 0.4), kCrateMiddle_m(1.2, 1.3, 0.3);
 
-/// Open towards -x, with a wall at x = 3 and one at y = 2. The chair is 0.5 x 0.5 x 0.8 m, the crate 0.5 x 0.5 x 0.6 m;
-/// neither ever hides the middle of the other, which would be seen as two.
+/// Open towards -x, with walls at x = 3 and y = 2. The chair is 0.5 x 0.5 x 0.8 m, the crate 0.5 x 0.5 x 0.6 m. Neither
+/// ever hides the middle of the other, which would split it into two objects.
 inline Scene WalkedRoom(bool has_chair, bool has_crate = false) {
   using Shape = Solid::Shape;
   Scene room{{{.shape = Shape::kHalfSpace, .center_m = {0, 0, 0}, .size_m = {0, 0, 1}, .segment = 4},
@@ -70,14 +70,14 @@ inline void CreateWalkedMap(TestServer& server, const std::string& map_id) {
   ASSERT_OK(server.Call(&MapStub::CreateMap, request));
 }
 
-/// Frames [begin, end) of the walk, as the scene is now; they are stored when it returns.
+/// Sends frames [begin, end) of the walk through the present scene; returns once they are stored.
 inline void Walk(TestServer& server, const std::string& map_id, const Scene& scene, int begin, int end) {
   const FeedResult fed = Feed(*server.mapping, map_id, begin, end, [&scene](int i) { return WalkFrame(scene, i); });
   for (const auto& ack : fed.acks) EXPECT_EQ(ack.error().code(), 0) << ack.error().message();
   ASSERT_OK(fed);
 }
 
-/// The one object of a class; one without a name if there is not exactly one.
+/// The only object of a class; an empty one if there is not exactly one.
 inline v1::Submap ListedOfClass(TestServer& server, const std::string& map_id, int class_id) {
   v1::ListSubmapsRequest request;
   request.set_parent("maps/" + map_id);
@@ -87,7 +87,7 @@ inline v1::Submap ListedOfClass(TestServer& server, const std::string& map_id, i
   return response.submaps_size() == 1 ? response.submaps(0) : v1::Submap();
 }
 
-/// The vertices of the mesh of a map or an object, by its name.
+/// The vertices of the mesh of a map or an object.
 inline std::vector<Eigen::Vector3f> MeshVerticesOf(TestServer& server, const std::string& name) {
   std::string file;
   for (const auto& part : server.Call(&SubmapStub::GetSubmapMesh, name).value()) file += part.data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is told of regions to those who watch a map.
+// Events of regions in a watch.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -12,7 +12,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// A mapped room in a database file, whose server can be started anew.
+/// A mapped room in a database file, whose server can be restarted.
 class WatchRegionsTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -43,7 +43,7 @@ class WatchRegionsTest : public ::testing::Test {
     num_voxels = response.results_size() > 0 ? response.results(0).num_voxels() : 0;
     return response.revision();
   }
-  /// What is told of regions from the mapped room up to a revision.
+  /// The events of regions from the mapped room up to a revision.
   std::vector<v1::RegionEvent> Told(std::int64_t until, const v1::WatchFilter& filter = {}) {
     v1::WatchMapRequest request;
     request.set_map("maps/room");
@@ -68,7 +68,7 @@ class WatchRegionsTest : public ::testing::Test {
   std::int64_t begun = 0, num_voxels = 0;
 };
 
-TEST_F(WatchRegionsTest, WhatIsClearedKeptClearAndLiftedIsToldOfAlsoAfterARestart) {
+TEST_F(WatchRegionsTest, ClearedIgnoredAndRemovedRegionsAreReportedAlsoAfterARestart) {
   v1::ApplyEditsRequest clear;
   v1::Edit& of_ball = *clear.add_edits();
   of_ball.set_submap(ball.name());
@@ -106,7 +106,7 @@ TEST_F(WatchRegionsTest, WhatIsClearedKeptClearAndLiftedIsToldOfAlsoAfterARestar
   }
 }
 
-TEST_F(WatchRegionsTest, AnUndoTellsWhatIsKeptClearAsItIsNow) {
+TEST_F(WatchRegionsTest, AnUndoReportsTheIgnoredRegionAsItIsNow) {
   v1::ApplyEditsRequest keep;
   v1::IgnoreRegionEdit& door = *keep.add_edits()->mutable_ignore_region();
   door.set_name("door");
@@ -119,7 +119,7 @@ TEST_F(WatchRegionsTest, AnUndoTellsWhatIsKeptClearAsItIsNow) {
   EXPECT_EQ(told[1].kind(), v1::RegionEvent::UNIGNORED);
 }
 
-TEST_F(WatchRegionsTest, AFilterPassesRegionsByTheirPlaceAndNoneWhereItAsksForObjects) {
+TEST_F(WatchRegionsTest, AFilterSelectsRegionsByPlaceAndNoneIfItSelectsObjects) {
   v1::ApplyEditsRequest clear;
   v1::ClearEdit& corner = *clear.add_edits()->mutable_clear();
   corner.mutable_box()->mutable_min_m()->set_x(50);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Watching a map that is in a file, over restarts and a restore.
+// Watching a map in a file, across restarts and a restore.
 #include <fstream>
 #include <random>
 
@@ -28,7 +28,7 @@ class StoredWatchTest : public ::testing::Test {
     const v1::ListSubmapsResponse list = ListAll(*server_->submaps, "room");
     const v1::Submap& submap = list.submaps(static_cast<int>(random() % static_cast<unsigned>(list.submaps_size())));
     if (random() % 4 == 0) {
-      (void)server_->Call(&SubmapStub::DeleteSubmap, submap.name());  // of the unknown one: refused
+      (void)server_->Call(&SubmapStub::DeleteSubmap, submap.name());  // the unknown submap: refused
     } else if (random() % 3 == 0) {
       (void)server_->Call(&SubmapStub::CloneSubmap, submap.name());
     } else {
@@ -46,7 +46,7 @@ class StoredWatchTest : public ::testing::Test {
   std::unique_ptr<TestServer> server_;
 };
 
-TEST_F(StoredWatchTest, FromAnyListOnItGivesThePresentOneWhateverHappenedMeanwhile) {
+TEST_F(StoredWatchTest, FromAnyListItLeadsToThePresentOne) {
   std::mt19937 random(11);
   Start("maps.db");
   CreateMap();
@@ -74,7 +74,7 @@ TEST_F(StoredWatchTest, FromAnyListOnItGivesThePresentOneWhateverHappenedMeanwhi
   }
 }
 
-TEST_F(StoredWatchTest, AfterARestorePositionsOfBeforeAreLost) {
+TEST_F(StoredWatchTest, AfterARestoreEarlierPositionsAreLost) {
   Start("maps.db");
   CreateMap();
   ASSERT_OK(Feed(*server_, "room", 0, 4));

@@ -12,7 +12,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// An empty map over the classes of TestScene, in a store whose history has limits.
+/// An empty map with the classes of TestScene, in a store with a limited history.
 class WatchTest : public ::testing::Test {
  protected:
   void Begin(const ChangeHistoryLimits& limits = {}, const RegistryOptions& options = {}) {
@@ -25,7 +25,7 @@ class WatchTest : public ::testing::Test {
     history = response.map().history_id();
   }
   void DeleteMap() { ASSERT_OK(server->Call(&MapStub::DeleteMap, "maps/room")); }
-  /// Commits before it is answered.
+  /// The edit is committed before the answer.
   std::int64_t Rename(std::int64_t id, const std::string& name) {
     v1::UpdateSubmapRequest request;
     request.mutable_submap()->set_name("maps/room/submaps/" + std::to_string(id));
@@ -55,7 +55,7 @@ class WatchTest : public ::testing::Test {
     request.set_start_revision(revision);
     return request;
   }
-  /// Without a heartbeat for longer than any test takes.
+  /// Without heartbeats for longer than any test runs.
   static v1::WatchMapRequest Silent(v1::WatchMapRequest request) {
     request.set_progress_interval_s(300);
     return request;
@@ -67,7 +67,7 @@ class WatchTest : public ::testing::Test {
   std::string history;
 };
 
-TEST_F(WatchTest, WhoListsAndWatchesFromThereHoldsWhatAFreshListSays) {
+TEST_F(WatchTest, AListFollowedByAWatchAgreesWithANewList) {
   Begin();
   Watcher from_the_beginning(*server->watches, From(1));
   HeldSubmaps all{v1::ListSubmapsResponse()};
@@ -89,7 +89,7 @@ TEST_F(WatchTest, WhoListsAndWatchesFromThereHoldsWhatAFreshListSays) {
   EXPECT_EQ(watcher.position(), history + "-" + std::to_string(now.revision()));
 }
 
-TEST_F(WatchTest, AMoveTellsTheBoxesBeforeAndAfterAlsoToWhoComesLater) {
+TEST_F(WatchTest, AMoveReportsTheBoxesBeforeAndAfterAlsoToLaterWatchers) {
   Begin();
   ASSERT_OK(Feed(*server, "room", 0, 6));
   const std::string name = "maps/room/submaps/" + std::to_string(AnyThing());
@@ -121,7 +121,7 @@ TEST_F(WatchTest, AMoveTellsTheBoxesBeforeAndAfterAlsoToWhoComesLater) {
   EXPECT_FALSE(message.change().submaps(0).has_previous_box()) << "it has not moved";
 }
 
-TEST_F(WatchTest, TheFirstMessageSaysWhereItBegins) {
+TEST_F(WatchTest, TheFirstMessageContainsTheStartingPosition) {
   Begin();
   ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t now = List().revision();
@@ -142,7 +142,7 @@ TEST_F(WatchTest, TheFirstMessageSaysWhereItBegins) {
   EXPECT_EQ(message.change().submaps(0).submap().display_name(), "it");
 }
 
-TEST_F(WatchTest, OneThatIsKilledAndResumedTwoHundredTimesMissesNothingAndHearsNothingTwice) {
+TEST_F(WatchTest, TwoHundredInterruptionsLoseAndRepeatNoChange) {
   Begin();
   HeldSubmaps held(List());
   std::atomic<bool> is_done = false;
@@ -183,7 +183,7 @@ TEST_F(WatchTest, OneThatIsKilledAndResumedTwoHundredTimesMissesNothingAndHearsN
   EXPECT_EQ(held.submaps(), HeldSubmaps(now).submaps());
 }
 
-TEST_F(WatchTest, GoesOnAfterARestartOfTheServer) {
+TEST_F(WatchTest, ContinuesAfterARestartOfTheServer) {
   Begin();
   HeldSubmaps held(List());
   auto watcher = std::make_unique<Watcher>(*server->watches, From(held.revision() + 1));
@@ -204,7 +204,7 @@ TEST_F(WatchTest, GoesOnAfterARestartOfTheServer) {
   EXPECT_EQ(held.submaps(), HeldSubmaps(now).submaps());
 }
 
-TEST_F(WatchTest, BeyondWhatIsKeptItIsCompacted) {
+TEST_F(WatchTest, APositionBeforeTheKeptHistoryIsCompacted) {
   Begin({.max_changes = 3});
   ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t thing = AnyThing();
@@ -219,7 +219,7 @@ TEST_F(WatchTest, BeyondWhatIsKeptItIsCompacted) {
   EXPECT_EQ(ErrorInfoOf(EndOf(From(now - 3))).reason(), "COMPACTED");
 }
 
-TEST_F(WatchTest, AnotherHistoryOrOneThatIsAheadIsLost) {
+TEST_F(WatchTest, APositionOfAnotherHistoryOrTheFutureIsLost) {
   Begin();
   v1::WatchMapRequest other = From(1);
   other.set_history_id("00000000deadbeef");
@@ -233,7 +233,7 @@ TEST_F(WatchTest, AnotherHistoryOrOneThatIsAheadIsLost) {
   }
 }
 
-TEST_F(WatchTest, DeletingTheMapEndsItAndAnotherOfItsNameIsAnother) {
+TEST_F(WatchTest, DeletingTheMapEndsItAndANewMapOfThatNameIsAnother) {
   Begin();
   Watcher watcher(*server->watches, From(1)), also(*server->watches, From(0));
   v1::WatchMapResponse message;
@@ -252,13 +252,13 @@ TEST_F(WatchTest, DeletingTheMapEndsItAndAnotherOfItsNameIsAnother) {
   EXPECT_EQ(ErrorInfoOf(EndOf(request)).reason(), "HISTORY_LOST");
 }
 
-TEST_F(WatchTest, ASlowReaderIsToldToStartOver) {
+TEST_F(WatchTest, ASlowReaderHasToStartOver) {
   Begin({.max_changes = 4});
   ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t thing = AnyThing();
   std::int64_t other = 0;
   Clone(thing, &other);
-  // One that takes in no more than 64 KiB ahead of what is read.
+  // A client that buffers at most 64 KiB.
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
@@ -290,7 +290,7 @@ TEST_F(WatchTest, NeitherOpensAMapNorKeepsItOpen) {
   EXPECT_TRUE(watcher.FollowTo(renamed, held));
 }
 
-TEST_F(WatchTest, MoreThanAllowedAreRefusedAndOneThatGoesMakesRoom) {
+TEST_F(WatchTest, WatchesBeyondTheLimitAreRefusedUntilOneEnds) {
   Begin({}, {.max_watchers = 2});
   v1::WatchMapResponse message;
   auto first = std::make_unique<Watcher>(*server->watches, From(0));
@@ -306,7 +306,7 @@ TEST_F(WatchTest, MoreThanAllowedAreRefusedAndOneThatGoesMakesRoom) {
   EXPECT_TRUE(third.Read(message));
 }
 
-TEST_F(WatchTest, SaysFromTimeToTimeHowFarAllIsTold) {
+TEST_F(WatchTest, ReportsItsPositionFromTimeToTime) {
   Begin();
   v1::WatchMapRequest request = From(0);
   request.mutable_filter()->add_instance_ids(4'000'000);
@@ -324,11 +324,11 @@ TEST_F(WatchTest, SaysFromTimeToTimeHowFarAllIsTold) {
 
 using WatchClock = WatchTest;
 
-TEST_F(WatchClock, HeartbeatsComeWhileNothingHappensToThoseWhoAskedForThemAndSayWhereToGoOn) {
+TEST_F(WatchClock, RequestedHeartbeatsContainThePositionToResumeFrom) {
   Begin();
   ASSERT_OK(Feed(*server, "room", 0, 3));
   const std::int64_t thing = AnyThing();
-  Rename(thing, "as stored");  // so that nothing is left to be stored
+  Rename(thing, "as stored");  // so that nothing is unstored
   v1::WatchMapRequest often = From(0), seldom = Silent(From(0));
   often.set_progress_interval_s(0.5);
   const auto start = std::chrono::steady_clock::now();
@@ -363,7 +363,7 @@ TEST_F(WatchClock, HeartbeatsComeWhileNothingHappensToThoseWhoAskedForThemAndSay
   EXPECT_EQ(RevisionOf(message.position()), renamed);
 }
 
-TEST_F(WatchTest, AChangeOfManySubmapsComesInMessagesOfWhichTheLastSaysSo) {
+TEST_F(WatchTest, AChangeOfManySubmapsIsSplitIntoMessagesAndTheLastIsMarked) {
   Begin();
   ASSERT_OK(Feed(*server, "room", 0, 4));
   const std::int64_t thing = AnyThing();
@@ -398,7 +398,7 @@ TEST_F(WatchTest, AChangeOfManySubmapsComesInMessagesOfWhichTheLastSaysSo) {
   EXPECT_GT(num_messages, 2);
 }
 
-TEST_F(WatchTest, WhatIsNotUsableIsRefusedWithItsReason) {
+TEST_F(WatchTest, InvalidRequestsAreRefusedWithAReason) {
   Begin();
   v1::WatchMapRequest bad_position = From(0), bad_history = From(1), bad_class = From(0), bad_often = From(0);
   bad_position.set_resume_after("5");

@@ -15,7 +15,7 @@
 
 namespace dhpmap::testing {
 
-/// Without what lists tell and events do not: its box, footprint and support.
+/// Without the fields that only lists contain: box, footprint and support.
 inline std::string AsTold(v1::Submap submap) {
   submap.clear_oriented_box();
   submap.clear_footprint();
@@ -23,7 +23,7 @@ inline std::string AsTold(v1::Submap submap) {
   return submap.SerializeAsString();
 }
 
-/// The submaps of a map, by instance id, as one holds them who listed them and follows.
+/// The submaps of a map, by instance id, as a client that has listed them and watches the changes knows them.
 class HeldSubmaps {
  public:
   explicit HeldSubmaps(const v1::ListSubmapsResponse& list) : revision_(list.revision()) {
@@ -59,7 +59,7 @@ inline std::int64_t RevisionOf(const std::string& position) {
   return std::stoll(position.substr(position.find('-') + 1));
 }
 
-/// One call of WatchMap, which ends with this, or after a time that only what hangs needs.
+/// A call of WatchMap. It ends with the destructor, or after a timeout that only a hang exceeds.
 class Watcher {
  public:
   Watcher(v1::WatchService::Stub& watches, v1::WatchMapRequest request) {
@@ -79,7 +79,7 @@ class Watcher {
   /// False at the end.
   bool Read(v1::WatchMapResponse& message) { return reader_ != nullptr && reader_->Read(&message); }
 
-  /// Applies what is told until everything up to the revision is. False if it ends before.
+  /// Applies changes up to the revision. False if the watch ends before.
   bool FollowTo(std::int64_t revision, HeldSubmaps& held) {
     v1::WatchMapResponse message;
     while (position_.empty() || RevisionOf(position_) < revision) {
@@ -91,7 +91,7 @@ class Watcher {
   }
   [[nodiscard]] const std::string& position() const { return position_; }
 
-  /// What it ends with, once all is read.
+  /// The status at the end, once all messages are read.
   grpc::Status Finish() {
     v1::WatchMapResponse message;
     while (Read(message)) {

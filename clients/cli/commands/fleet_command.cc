@@ -40,13 +40,14 @@ void PrintSchema(const v1::FleetSchema& schema) {
 void PrintServers(const v1::GetFleetResponse& fleet) {
   TextTable table({"SERVER", "ADDRESS", "VERSION", "SCHEMA", "STATE", "BEAT", "MAPS", "COPIES", "BEHIND", "ASKED"});
   for (const v1::FleetServer& server : fleet.servers()) {
-    table.Add({server.name(), server.address(), server.version(), std::to_string(server.newest_schema()),
-               StateOf(server), Seconds(server.has_beat_age_s(), server.beat_age_s()),
-               std::to_string(server.num_maps()), server.has_num_copies() ? std::to_string(server.num_copies()) : "-",
+    table.Add({server.name(), server.address(), server.version(),
+               server.newest_schema() > 0 ? std::to_string(server.newest_schema()) : "-", StateOf(server),
+               Seconds(server.has_beat_age_s(), server.beat_age_s()), std::to_string(server.num_maps()),
+               server.has_num_copies() ? std::to_string(server.num_copies()) : "-",
                Seconds(server.has_copies_behind_s(), server.copies_behind_s()), server.answering() ? "this" : ""});
   }
   table.Print(std::cout);
-  PrintSchema(fleet.schema());
+  if (fleet.has_schema()) PrintSchema(fleet.schema());  // a server of the last release says nothing about it
 }
 
 void PrintOwners(const v1::ListMapOwnersResponse& maps) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What strangers and those with a key of their own try, and what they are answered.
+// Attacks by clients without a key and with one, and the answers to them.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -16,7 +16,7 @@ using AuthStub = v1::AuthService::Stub;
 
 class Attacks : public ::testing::Test {
  protected:
-  /// A map, made by the robot.
+  /// Creates a map as the robot.
   void Create(const std::string& id) {
     ASSERT_OK(locked.Call(locked.key_of("robot"), &MapStub::CreateMap, CreateRequest(id)));
   }
@@ -25,7 +25,7 @@ class Attacks : public ::testing::Test {
   LockedServer locked;
 };
 
-TEST_F(Attacks, NoKeyAWrongOneAndOneOfNobodyAreToldApartByNothingButTheFirst) {
+TEST_F(Attacks, AnswersDistinguishOnlyAMissingKeyFromAnInvalidOne) {
   const std::string viewer = locked.key_of("viewer");
   std::string unknown = auth::MakeKeyText(auth::SystemRandomness());
   const auto asked = [&](const std::string& key) { return locked.Ask(key, "GET", "/v1/maps"); };
@@ -44,7 +44,7 @@ TEST_F(Attacks, NoKeyAWrongOneAndOneOfNobodyAreToldApartByNothingButTheFirst) {
   EXPECT_EQ(over_grpc(unknown).error_message(), over_grpc("x").error_message());
 }
 
-TEST_F(Attacks, WrongKeysAreThrottledByAddressAtBothDoorsTogetherAndLockNobodyOut) {
+TEST_F(Attacks, WrongKeysAreThrottledByAddressOverBothDoorsAndLockNoOneElseOut) {
   const auto over_grpc = [&](const std::string& key) { return locked.Call(key, &MapStub::ListMaps).status(); };
   for (int i = 0; i < 10; ++i) {
     EXPECT_EQ(locked.Ask("x", "GET", "/v1/maps").status, 401);
@@ -79,7 +79,7 @@ TEST_F(Attacks, TwoKeysOverOneConnectionAreTwoCallers) {
             std::string::npos);
 }
 
-TEST_F(Attacks, TicketsAndNamesFromOutsideCountForNothing) {
+TEST_F(Attacks, TicketsAndNamesFromOutsideAreIgnored) {
   const std::string path = "/dhpmap.v1.MapService/ListMaps";
   const auto ticket = locked.gate().tickets().Issue(*locked.gate().AuthenticateKey(locked.key_of("admin")));
   const auto channel = locked.server().channel();
@@ -108,7 +108,7 @@ TEST_F(Attacks, KeysInUrlsAndTwoKeysAtOnceAreRefused) {
   EXPECT_NE(twice.body.find("AMBIGUOUS_CREDENTIAL"), std::string::npos);
 }
 
-TEST_F(Attacks, PagesButHealthNeedAKey) {
+TEST_F(Attacks, AllPagesExceptHealthNeedAKey) {
   for (const char* page : {"/", "/metrics", "/openapi.json"}) {
     EXPECT_EQ(locked.Ask("", "GET", page).status, 401) << page;
     EXPECT_EQ(locked.Ask(locked.key_of("viewer"), "GET", page).status, 200) << page;
@@ -119,7 +119,7 @@ TEST_F(Attacks, PagesButHealthNeedAKey) {
   for (const char* page : {"/healthz", "/readyz"}) EXPECT_EQ(locked.Ask("", "GET", page).status, 200) << page;
 }
 
-TEST_F(Attacks, AMapThatAKeyIsNotForLooksAsOneThatIsNotThere) {
+TEST_F(Attacks, AForbiddenMapLooksLikeAMissingOne) {
   Create("site-a");
   Create("home");
   const std::string narrow = locked.MakeKey({.name = "n", .role = auth::Role::kAdmin, .maps = {"site-*", "!site-x"}});
@@ -138,7 +138,7 @@ TEST_F(Attacks, AMapThatAKeyIsNotForLooksAsOneThatIsNotThere) {
   EXPECT_EQ(locked.Ask(narrow, "GET", "/v1/maps:backup").status, 403) << "of all maps";
 }
 
-TEST_F(Attacks, ListsLeaveOutWhatAKeyIsNotForPageByPage) {
+TEST_F(Attacks, ListsOmitForbiddenMapsOnEachPage) {
   for (const char* id : {"a", "b-1", "b-2", "c", "b-3", "d"}) Create(id);
   const std::string narrow = locked.MakeKey({.name = "n", .maps = {"b-*", "d"}});
   std::vector<std::string> seen;
@@ -153,7 +153,7 @@ TEST_F(Attacks, ListsLeaveOutWhatAKeyIsNotForPageByPage) {
   EXPECT_EQ(seen, (std::vector<std::string>{"maps/b-1", "maps/b-2", "maps/b-3", "maps/d"}));
 }
 
-TEST_F(Attacks, AStreamOfQueriesIsAskedOfEachMessagesMap) {
+TEST_F(Attacks, AStreamOfQueriesChecksTheMapOfEachMessage) {
   Create("a");
   Create("b");
   const std::string narrow = locked.MakeKey({.name = "n", .maps = {"a"}});
@@ -174,7 +174,7 @@ TEST_F(Attacks, AStreamOfQueriesIsAskedOfEachMessagesMap) {
   EXPECT_OK(stream->Finish());
 }
 
-TEST_F(Attacks, AnEditIsItsAuthors) {
+TEST_F(Attacks, AnEditBelongsToItsAuthor) {
   Create("a");
   const std::string anna = locked.MakeKey({.name = "anna", .role = auth::Role::kEditor});
   const std::string bert = locked.MakeKey({.name = "bert", .role = auth::Role::kEditor});
@@ -209,7 +209,7 @@ TEST_F(Attacks, AnEditIsItsAuthors) {
   EXPECT_OK(locked.Call(anna, &EditStub::RestoreRevision, back));
 }
 
-TEST_F(Attacks, AViewerTriesEditsAndMakesNone) {
+TEST_F(Attacks, AViewerMayOnlyTryEdits) {
   Create("a");
   const std::string path = "/v1/maps/a:applyEdits", edits = R"("edits": [{"ignoreRegion": {"name": "d", "sphere":
       {"centerM": {"x": 1}, "radiusM": 1}}}])";
@@ -223,7 +223,7 @@ TEST_F(Attacks, AViewerTriesEditsAndMakesNone) {
   EXPECT_EQ(locked.Call(viewer, &MapStub::GetMap, About<v1::GetMapRequest>("maps/a"))->revision(), 1);
 }
 
-TEST_F(Attacks, ARobotFeedsAndEndsItsOwnSessionAlone) {
+TEST_F(Attacks, ARobotMayFeedAndEndOnlyItsOwnSession) {
   Create("a");
   const std::string spot = locked.MakeKey({.name = "spot", .role = auth::Role::kRobot});
   const auto feed = [&](const std::string& session) {
@@ -248,7 +248,7 @@ TEST_F(Attacks, ARobotFeedsAndEndsItsOwnSessionAlone) {
   EXPECT_EQ(locked.Call(spot, &MappingStub::EndSession, end).reason(), "NOT_YOUR_SESSION");
 }
 
-TEST_F(Attacks, ARobotThatSaysTakeOverOnceMoreFeedsOn) {
+TEST_F(Attacks, ARobotMayRepeatTakeOverWithinItsStream) {
   Create("a");
   const std::string spot = locked.MakeKey({.name = "spot", .role = auth::Role::kRobot});
   grpc::ClientContext context;
@@ -259,7 +259,7 @@ TEST_F(Attacks, ARobotThatSaysTakeOverOnceMoreFeedsOn) {
   message.set_session("spot");
   message.set_take_over(true);
   ASSERT_TRUE(stream->Write(message));
-  message.clear_session();  // which later messages need not repeat
+  message.clear_session();  // later messages need not repeat it
   ASSERT_TRUE(stream->Write(message));
   stream->WritesDone();
   v1::IntegrateFramesResponse answer;
@@ -315,7 +315,7 @@ TEST_F(Attacks, StreamsEndWhenTheirKeyIsRevoked) {
   EXPECT_EQ(locked.Ask(spot, "GET", "/v1/maps").status, 401);
 }
 
-TEST_F(Attacks, HealthAloneIsForAll) {
+TEST_F(Attacks, OnlyHealthNeedsNoKey) {
   const auto channel = locked.server().channel();
   EXPECT_OK(CallRawAs(channel, "/grpc.health.v1.Health/Check", ""));
   EXPECT_EQ(CallRawAs(channel, "/grpc.health.v1.Health/Watch", "").error_code(), grpc::UNAUTHENTICATED);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every rpc, asked by every role over both doors, is answered as tests/unit/server/auth/permissions.txt says.
+// Every rpc, called by every role over both doors, is answered as tests/unit/server/auth/permissions.txt says.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -35,7 +35,7 @@ std::vector<Row> Rows() {
   return rows;
 }
 
-/// Of a stream of health's changes there is no end; it is let in or not before it begins.
+/// A health watch does not end; it is admitted or refused before it begins.
 bool NeverEnds(const Row& row) { return row.path == "/grpc.health.v1.Health/Watch"; }
 
 TEST(GoldenTable, HoldsAtTheGrpcDoor) {
@@ -49,7 +49,7 @@ TEST(GoldenTable, HoldsAtTheGrpcDoor) {
     for (const auto& [role, right] : row.right_of) {
       const bool is_let_in = right == "yes" || right == "all";
       if (is_let_in && NeverEnds(row)) continue;
-      // The message is empty: it does not say that it only tries.
+      // The message is empty, so it does not ask for a trial.
       const grpc::Status status = CallRawAs(locked.server().channel(), row.path, locked.key_of(role));
       EXPECT_EQ(status.error_code() == grpc::PERMISSION_DENIED, !is_let_in)
           << row.path << " by " << role << ": " << status.error_code() << " " << status.error_message();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heads of calls that no client of gRPC would send.
+// Call headers that no gRPC client would send.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -11,7 +11,7 @@
 namespace dhpmap::testing {
 namespace {
 
-TEST(AttacksByHeaders, EndTheirOwnConnectionAlone) {
+TEST(AttacksByHeaders, EndOnlyTheirOwnConnection) {
   LockedServer locked;
   const auto asked = [&](const std::shared_ptr<grpc::Channel>& channel, const std::string& metadata) {
     return CallRawAs(channel, "/dhpmap.v1.MapService/ListMaps", locked.key_of("viewer"), {{"x-large", metadata}});

@@ -18,15 +18,15 @@
 
 namespace dhpmap::testing {
 
-/// Both doors of a server with keys: one of each role, by the role's name, and others that a test makes. The gate
-/// looks at the file when it is told to.
+/// Both doors of a server with keys: one key per role, named after the role, and further ones that a test makes. The
+/// gate reloads its file only on request.
 class LockedServer {
  public:
   explicit LockedServer(const auth::CallLimits& limits = {}, std::vector<std::string> allowed_origins = {});
 
-  /// A new key, good at once.
+  /// Makes a key that is valid at once.
   std::string MakeKey(const auth::NewKey& key);
-  /// From now on, as within a second of a revocation.
+  /// Revokes a key; takes effect at once, in place of within a second.
   void Revoke(const std::string& name);
 
   [[nodiscard]] const std::string& key_of(const std::string& role) const { return keys_.at(role); }
@@ -34,7 +34,7 @@ class LockedServer {
   auth::Gate& gate() { return *gate_; }
   [[nodiscard]] int http_port() const { return gateway_->port(); }
 
-  /// Metadata of a call that shows this key.
+  /// Adds the key to a call's metadata.
   static void Show(const std::string& key, grpc::ClientContext& context) {
     context.AddMetadata("authorization", "Bearer " + key);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who makes maps, and which: quotas, and keys that are for some maps alone.
+// Who may create maps, and which: quotas, and keys for some maps only.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace dhpmap::testing {
 namespace {
 
-TEST(AttacksOfMakers, NobodyMakesMoreMapsThanOneMay) {
+TEST(AttacksOfMakers, APrincipalCannotExceedItsNumberOfMaps) {
   LockedServer locked({.maps = 2});
   const std::string spot = locked.MakeKey({.name = "spot", .role = auth::Role::kRobot});
   const auto create = [&](const std::string& key, const char* id) {
@@ -35,13 +35,13 @@ TEST(AttacksOfMakers, NobodyMakesMoreMapsThanOneMay) {
   EXPECT_EQ(locked.Ask(admin, "POST", "/v1/maps:import?map_id=g", file.body).status, 429);
 }
 
-TEST(AttacksOfMakers, WhoseMapsAreTooLargeMakesAndFeedsNoMore) {
+TEST(AttacksOfMakers, APrincipalBeyondItsDiskQuotaMakesAndFeedsNoMap) {
   LockedServer locked({.disk_bytes = 0});
   const std::string robot = locked.key_of("robot");
   EXPECT_EQ(locked.Call(robot, &MapStub::CreateMap, CreateRequest("a")).reason(), "OUT_OF_QUOTA");
 }
 
-/// What a key for some maps may bring and touch.
+/// What a key for some maps may import and change.
 class AttacksOfNarrowKeys : public ::testing::Test {
  protected:
   AttacksOfNarrowKeys() {
@@ -60,7 +60,7 @@ class AttacksOfNarrowKeys : public ::testing::Test {
   const std::string narrow = locked.MakeKey({.name = "n", .role = auth::Role::kAdmin, .maps = {"site-*"}});
 };
 
-TEST_F(AttacksOfNarrowKeys, AFileThatNamesAnotherMapIsNotKept) {
+TEST_F(AttacksOfNarrowKeys, AnImportedFileOfAForbiddenMapIsDiscarded) {
   const std::string home = Export("home");
   ASSERT_FALSE(home.empty());
   EXPECT_OK(locked.Call(locked.key_of("admin"), &MapStub::DeleteMap, About<v1::DeleteMapRequest>("maps/home")));
@@ -72,7 +72,7 @@ TEST_F(AttacksOfNarrowKeys, AFileThatNamesAnotherMapIsNotKept) {
   EXPECT_EQ(Import(narrow, "?map_id=site-b", home).status, 200) << "under a name that it is for";
 }
 
-TEST_F(AttacksOfNarrowKeys, NamesThatAreWaysAreNoNames) {
+TEST_F(AttacksOfNarrowKeys, NamesWithPathsAreInvalid) {
   const std::string file = Export("site-a"), admin = locked.key_of("admin");
   for (const char* id : {"..%2Fx", "%2e%2e%2fx", "%252e%252e", "..", ".", "a%2Fb", "site-a%00b"}) {
     const http::HttpAnswer answer = Import(admin, std::string("?map_id=") + id, file);
@@ -81,7 +81,7 @@ TEST_F(AttacksOfNarrowKeys, NamesThatAreWaysAreNoNames) {
   EXPECT_EQ(locked.Call(admin, &MapStub::ListMaps)->maps_size(), 2);
 }
 
-TEST_F(AttacksOfNarrowKeys, AnEditNamesObjectsOfItsOwnMapAlone) {
+TEST_F(AttacksOfNarrowKeys, AnEditMayNameOnlyObjectsOfItsMap) {
   for (const char* submap : {"maps/home/submaps/0", "maps/site-a/../home/submaps/0", "maps/home"}) {
     v1::ApplyEditsRequest edit;
     edit.set_map("maps/site-a");

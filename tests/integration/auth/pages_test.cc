@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What web pages try, of this server and of others.
+// Attacks by web pages, of this server's origin and of others.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace dhpmap::testing {
 namespace {
 
-TEST(AttacksOfPages, ALoginIsACookieThatCountsForTheServersOwnPagesAlone) {
+TEST(AttacksOfPages, ALoginCookieCountsOnlyForTheServersOwnPages) {
   using Headers = http::HttpClient::Headers;
   LockedServer locked;
   EXPECT_EQ(locked.Ask("", "POST", "/ui/login").status, 401);
@@ -52,7 +52,7 @@ TEST(AttacksOfPages, ALoginEndsWithItsKey) {
   EXPECT_EQ(locked.Ask("", "GET", "/v1/maps", "", headers).status, 401);
 }
 
-TEST(AttacksOfPages, AListedOriginUsesItsKeyAndNeverALogin) {
+TEST(AttacksOfPages, AnAllowedOriginUsesItsKeyAndNeverALogin) {
   constexpr char kFleet[] = "https://fleet.example";
   LockedServer locked({}, {kFleet});
   const std::string admin = locked.key_of("admin");
@@ -73,7 +73,7 @@ TEST(AttacksOfPages, AListedOriginUsesItsKeyAndNeverALogin) {
   EXPECT_EQ(locked.Ask(admin, "DELETE", "/v1/maps/none", "", {{"Origin", "https://evil.example"}}).status, 403);
 }
 
-TEST(AttacksOfPages, StreamsOfEventsNeedAKeyAsAllElse) {
+TEST(AttacksOfPages, EventStreamsNeedAKeyToo) {
   LockedServer locked;
   ASSERT_OK(locked.Call(locked.key_of("robot"), &MapStub::CreateMap, CreateRequest("a")));
   const http::HttpAnswer answer = locked.Ask("", "GET", "/v1/maps/a:watch", "", {{"Accept", "text/event-stream"}});
@@ -81,7 +81,7 @@ TEST(AttacksOfPages, StreamsOfEventsNeedAKeyAsAllElse) {
   EXPECT_NE(answer.body.find("NO_CREDENTIAL"), std::string::npos);
 }
 
-TEST(AttacksOfPages, APreflightOfAnotherOriginIsToldNothing) {
+TEST(AttacksOfPages, APreflightOfAnotherOriginGetsNoPermission) {
   const http::HttpClient::Headers asks = {{"Origin", "https://evil.example"},
                                           {"Access-Control-Request-Method", "DELETE"}};
   LockedServer closed, open({}, {"https://fleet.example"});

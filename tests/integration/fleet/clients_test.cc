@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C++ library finds the way to the owner by itself, and back when that is gone.
+// The C++ library finds a map's owner by itself, and returns to its first server when the owner is gone.
 #include <gtest/gtest.h>
 
 #include "dhpmap/client.h"
@@ -14,7 +14,7 @@ client::Client ConnectTo(FleetMember& member, bool to_owner) {
   return *std::move(connected);
 }
 
-TEST_F(FleetOfTwo, AClientGoesToTheOwnerOnceItIsTold) {
+TEST_F(FleetOfTwo, AClientCallsTheOwnerDirectlyOnceItIsKnown) {
   const client::Client connection = ConnectTo(other, true);
   const auto map = connection.OpenMap("room");
   ASSERT_OK(map);
@@ -26,7 +26,7 @@ TEST_F(FleetOfTwo, AClientGoesToTheOwnerOnceItIsTold) {
   })) << "as soon as it is connected there";
 }
 
-TEST_F(FleetOfTwo, AClientStaysWhereItIsToldTo) {
+TEST_F(FleetOfTwo, AClientWithoutRoutingStaysAtItsServer) {
   const client::Client connection = ConnectTo(other, false);
   const auto map = connection.OpenMap("room");
   ASSERT_OK(map);
@@ -37,7 +37,7 @@ TEST_F(FleetOfTwo, AClientStaysWhereItIsToldTo) {
   }
 }
 
-TEST_F(FleetOfTwo, AClientComesBackWhenTheOwnerIsGone) {
+TEST_F(FleetOfTwo, AClientReturnsToItsServerWhenTheOwnerIsGone) {
   const client::Client connection = ConnectTo(other, true);
   const auto map = connection.OpenMap("room");
   ASSERT_OK(map);
@@ -46,7 +46,7 @@ TEST_F(FleetOfTwo, AClientComesBackWhenTheOwnerIsGone) {
     EXPECT_OK(map->Info());
     return num_relayed == before;
   }));
-  ASSERT_OK(other.server.Call(&MapStub::CreateMap, CreateRequest("room")));  // as if it had taken the map over
+  ASSERT_OK(other.server.Call(&MapStub::CreateMap, CreateRequest("room")));  // as after a takeover
   room->AddMap("room", other.fleet.me());
   other.fleet.Forget("room");
   ASSERT_OK(owner.server.Stop());
@@ -55,13 +55,13 @@ TEST_F(FleetOfTwo, AClientComesBackWhenTheOwnerIsGone) {
   EXPECT_EQ(info->num_frames, 0) << "of the other one's store";
 }
 
-TEST_F(FleetOfTwo, AClientLeavesAnOwnerAloneThatItCannotReach) {
+TEST_F(FleetOfTwo, AClientUsesItsServerIfItCannotReachTheOwner) {
   FleetMember hidden{room};
   ASSERT_OK(hidden.server.Call(&MapStub::CreateMap, CreateRequest("cellar")));
   room->AddMap("cellar", hidden.fleet.me());
   (void)hidden.fleet.OwnerOf("cellar");
   (void)other.fleet.OwnerOf("cellar");
-  // What answers name is not where `other` has found it.
+  // Answers now name another address than the one known to `other`.
   room->SetAddress(hidden.fleet.me(), "127.0.0.1:1");
   hidden.fleet.Forget("cellar");
   (void)hidden.fleet.OwnerOf("cellar");

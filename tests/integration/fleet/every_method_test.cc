@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Over all rpcs that there are, so that a new one cannot be forgotten: those about a map go to its owner, over both
-// doors; those that are not are in the table below.
+// Covers all rpcs, so that a new one cannot be forgotten. Calls about a map are relayed to its owner, over both doors;
+// the table below lists all other calls.
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/dynamic_message.h>
 #include <grpcpp/generic/generic_stub.h>
@@ -22,7 +22,7 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-/// Answered by whoever is asked, and why.
+/// Methods that every server answers itself, and why.
 const std::map<std::string, std::string>& AnsweredHere() {
   static const std::map<std::string, std::string> here = {
       {"/dhpmap.v1.MapService/CreateMap", "makes the map here"},
@@ -39,7 +39,7 @@ const std::map<std::string, std::string>& AnsweredHere() {
   return here;
 }
 
-/// Sets the field that names the map; in the first branch of a oneof where there are several.
+/// Sets the field that names the map; of a oneof, the first branch.
 void NameRoom(const auth::CallNeeds& needs, Message& request) {
   for (const auto& [meaning, path] : needs.fields) {
     if (meaning != v1::Access::MAP) continue;
@@ -50,7 +50,7 @@ void NameRoom(const auth::CallNeeds& needs, Message& request) {
   }
 }
 
-/// One message, whatever the shape of the call, and all that comes.
+/// Sends one message to a method of any kind and reads all answers.
 grpc::Status CallWith(const std::shared_ptr<grpc::Channel>& channel, const std::string& path, const Message& request) {
   grpc::ClientContext context;
   grpc::CompletionQueue queue;
@@ -83,7 +83,7 @@ class EveryMethod : public FleetOfTwo {
   const auth::CallTable table = *auth::CallTable::OfLinkedServices();
 };
 
-TEST_F(EveryMethod, ThatIsAboutAMapGoesToItsOwner) {
+TEST_F(EveryMethod, AboutAMapIsRelayedToItsOwner) {
   google::protobuf::DynamicMessageFactory messages;
   std::set<std::string> met;
   for (const auto& [path, needs] : table.calls()) {
@@ -94,7 +94,7 @@ TEST_F(EveryMethod, ThatIsAboutAMapGoesToItsOwner) {
     NameRoom(needs, *request);
     if (AnsweredHere().contains(path)) {
       met.insert(path);
-      if (path.ends_with("/WatchMap")) continue;  // never ends
+      if (path.ends_with("/WatchMap")) continue;  // does not end
     }
     const int before = num_relayed;
     const grpc::Status status = CallWith(other.server.channel(), path, *request);
@@ -103,18 +103,18 @@ TEST_F(EveryMethod, ThatIsAboutAMapGoesToItsOwner) {
     EXPECT_NE(status.error_code(), grpc::UNIMPLEMENTED) << path;
   }
   EXPECT_EQ(met.size(), AnsweredHere().size()) << "the table names rpcs that there are not";
-  EXPECT_OK(other.server.Call(&MapStub::DeleteMap, "maps/room"));  // last
+  EXPECT_OK(other.server.Call(&MapStub::DeleteMap, "maps/room"));  // must be last
   EXPECT_EQ(owner.server.Call(&MapStub::GetMap, "maps/room").code(), grpc::NOT_FOUND);
 }
 
-TEST_F(EveryMethod, GoesThereOverRestToo) {
+TEST_F(EveryMethod, AboutAMapIsRelayedOverRestToo) {
   auto gateway = Gateway::Start({.address = "127.0.0.1:0"}, other.server.grpc().InProcessChannel(), {});
   ASSERT_OK(gateway);
   const auto router = gateway::HttpRuleRouter::FromLinkedServices();
   ASSERT_TRUE(router.ok());
   for (const gateway::Route& route : router->routes()) {
     if (AnsweredHere().contains(route.rpc_path) || route.rpc_path.ends_with("/DeleteMap")) continue;
-    if (!route.path.text().starts_with("/v1/{")) continue;  // its body would have to name the map
+    if (!route.path.text().starts_with("/v1/{")) continue;  // only the body names the map
     std::string target =
         std::regex_replace(route.path.text(), std::regex("\\{[a-z_.]+=maps/\\*/submaps/\\*\\}"), "maps/room/submaps/1");
     target = std::regex_replace(target, std::regex("\\{[a-z_.]+=maps/\\*\\}"), "maps/room");
@@ -123,7 +123,7 @@ TEST_F(EveryMethod, GoesThereOverRestToo) {
     const std::string body = route.http_method == "GET" || route.http_method == "DELETE" ? "" : "{}";
     const int before = num_relayed;
     const http::HttpAnswer answer = client.Ask(route.http_method, target, body);
-    // The end of a file's call may come after the file.
+    // The call of a file may end after the file has arrived.
     EXPECT_TRUE(Eventually([&] { return num_relayed > before; })) << route.http_method << " " << target;
     EXPECT_EQ(answer.body.find("MAP_NOT_FOUND"), std::string::npos) << target << ": " << answer.body;
   }

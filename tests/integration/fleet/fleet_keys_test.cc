@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Servers with keys: for whom a call is passed on, and what a client gets by saying that it is a server.
+// Servers with keys: on whose behalf calls are relayed, and clients that pretend to be servers.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,7 +14,7 @@
 namespace dhpmap::testing {
 namespace {
 
-/// Two servers with one file of keys, and maps/room at the owner.
+/// Two servers with the same keys, and maps/room at the owner.
 class FleetWithKeys : public ::testing::Test {
  protected:
   std::shared_ptr<auth::Gate> MakeGate(const std::string& secret) {
@@ -81,14 +81,14 @@ const std::map<std::string, std::string>& AsAdmin(const std::string& secret) {
   return metadata;
 }
 
-TEST_F(FleetWithKeys, ACallIsMadeForWhoAskedTheOtherServer) {
+TEST_F(FleetWithKeys, ARelayedCallIsMadeForTheOriginalCaller) {
   EXPECT_OK(GetRoom(other.server, viewer));
   EXPECT_OK(RenameRoom(other.server, admin));
   EXPECT_EQ(RenameRoom(other.server, viewer).error_code(), grpc::PERMISSION_DENIED);
   EXPECT_EQ(GetRoom(other.server, "").error_code(), grpc::UNAUTHENTICATED);
 }
 
-TEST_F(FleetWithKeys, PatternsOfMapsHoldThroughAnotherServer) {
+TEST_F(FleetWithKeys, MapPatternsOfKeysApplyThroughAnotherServer) {
   for (FleetMember* asked : {&owner, &other}) {
     const grpc::Status status = GetRoom(asked->server, stranger);
     EXPECT_EQ(status.error_code(), grpc::PERMISSION_DENIED);
@@ -110,21 +110,21 @@ TEST_F(FleetWithKeys, AnEditIsLoggedUnderItsAuthorAtTheOwner) {
   EXPECT_EQ(response.edits(0).author(), "ann");
 }
 
-TEST_F(FleetWithKeys, WhoKnowsTheSecretIsBelieved) {
-  EXPECT_OK(GetRoom(owner.server, "", AsAdmin(kFleetSecret)));  // so that the refusals below mean something
+TEST_F(FleetWithKeys, AServerWithTheSecretMayActForAPrincipal) {
+  EXPECT_OK(GetRoom(owner.server, "", AsAdmin(kFleetSecret)));  // shows that the refusals below are due to the secret
 }
 
-TEST_F(FleetWithKeys, AClientThatSaysItIsAServerIsRefused) {
+TEST_F(FleetWithKeys, AClientThatPretendsToBeAServerIsRefused) {
   for (const std::string& secret : {std::string("x"), std::string(kFleetSecret) + "x", std::string()}) {
     const grpc::Status status = GetRoom(owner.server, "", AsAdmin(secret));
     EXPECT_EQ(status.error_code(), grpc::UNAUTHENTICATED) << secret;
   }
-  // A good key of its own makes it no server either.
+  // A valid key of a client does not make it a server.
   EXPECT_EQ(GetRoom(owner.server, viewer, AsAdmin("wrong")).error_code(), grpc::UNAUTHENTICATED);
   EXPECT_EQ(GetRoom(other.server, viewer, {{kRelayedKey, kPassedOn}}).error_code(), grpc::UNAUTHENTICATED);
 }
 
-TEST_F(FleetWithKeys, APrincipalWithoutASecretIsNotHeard) {
+TEST_F(FleetWithKeys, APrincipalWithoutASecretIsIgnored) {
   auto metadata = AsAdmin("");
   metadata.erase(auth::kFleetKeyKey);
   metadata.erase(kRelayedKey);
@@ -138,7 +138,7 @@ TEST_F(FleetWithKeys, APrincipalWithoutASecretIsNotHeard) {
   EXPECT_EQ(who.principal(), "vic");
 }
 
-TEST_F(FleetWithKeys, APrincipalThatCannotBeReadIsRefused) {
+TEST_F(FleetWithKeys, AMalformedPrincipalIsRefused) {
   auto metadata = AsAdmin(kFleetSecret);
   for (const char* text : {"", "{}", "[1]", R"({"name":"a b","key":"","role":"admin","maps":["*"],"sessions":[]})",
                            R"({"name":"m","key":"","role":"god","maps":["*"],"sessions":[],"expires_s":1})"}) {
@@ -147,7 +147,7 @@ TEST_F(FleetWithKeys, APrincipalThatCannotBeReadIsRefused) {
   }
 }
 
-TEST_F(FleetWithKeys, WrongSecretsAreCountedAsWrongKeysAre) {
+TEST_F(FleetWithKeys, WrongSecretsCountAsWrongKeys) {
   grpc::Status last;
   for (int i = 0; i < 25; ++i) last = GetRoom(owner.server, "", AsAdmin("wrong"));
   EXPECT_EQ(last.error_code(), grpc::RESOURCE_EXHAUSTED);
@@ -159,7 +159,7 @@ TEST_F(FleetWithKeys, AServerWithoutTheSecretSendsClientsToTheOwner) {
   EXPECT_EQ(ReasonOf(status), "NOT_OWNER");
 }
 
-TEST_F(FleetWithKeys, AServerWithAnotherSecretReachesNobody) {
+TEST_F(FleetWithKeys, AServerWithAnotherSecretCannotRelay) {
   FleetMember third{room, {.gate = MakeGate(std::string(kFleetSecret) + "-old")}};
   const grpc::Status status = GetRoom(third.server, viewer);
   EXPECT_EQ(status.error_code(), grpc::UNAVAILABLE) << "its own key is a good one";

@@ -16,8 +16,8 @@ namespace dhpmap::testing {
 
 inline constexpr char kFleetSecret[] = "0123456789abcdef0123456789abcdef-fleet";
 
-/// A server of a fake fleet, with a store of its own: what another server's map is asked for here can only come from
-/// there.
+/// A server of a fake fleet with its own store, so that answers about another server's map can only come from that
+/// server.
 struct FleetMember {
   explicit FleetMember(const std::shared_ptr<FakeFleetRoom>& room, GrpcOptions options = {}, GrpcObserver observer = {})
       : fleet(room), server(*store, {}, WithFleet(std::move(options), fleet), std::move(observer)) {
@@ -51,7 +51,7 @@ class FleetOfTwo : public ::testing::Test {
   FleetMember other{room, {}, counting};
 };
 
-/// Metadata that an answer came with: of its head.
+/// An initial metadata value of an answer.
 inline std::string HeadOf(const grpc::ClientContext& context, const char* key) {
   const auto& head = context.GetServerInitialMetadata();
   const auto found = head.find(key);

@@ -19,7 +19,7 @@ v1::MoveMapRequest MoveTo(const std::string& server) {
   return request;
 }
 
-TEST_F(FleetOfTwo, TellsWhichServersThereAre) {
+TEST_F(FleetOfTwo, ListsItsServers) {
   const auto fleet = other.server.Call(&FleetStub::GetFleet).value();
   ASSERT_EQ(fleet.servers_size(), 2);
   EXPECT_EQ(fleet.servers(0).name(), "servers/1");
@@ -30,7 +30,7 @@ TEST_F(FleetOfTwo, TellsWhichServersThereAre) {
   EXPECT_TRUE(fleet.servers(1).alive());
 }
 
-TEST_F(FleetOfTwo, ListsTheOwnersByPages) {
+TEST_F(FleetOfTwo, ListsOwnersInPages) {
   for (const char* map : {"a", "b", "c", "d"}) room->AddMap(map, 0);
   v1::ListMapOwnersRequest request;
   request.set_page_size(2);
@@ -46,14 +46,14 @@ TEST_F(FleetOfTwo, ListsTheOwnersByPages) {
   EXPECT_EQ(num_pages, 3);
 }
 
-TEST_F(FleetOfTwo, RefusesToMoveAMapToWhomThereIsNot) {
+TEST_F(FleetOfTwo, RefusesToMoveAMapToAMissingOrDeadServer) {
   EXPECT_EQ(owner.server.Call(&FleetStub::MoveMap, MoveTo("servers/99")).code(), grpc::INVALID_ARGUMENT);
   room->SetAlive(other.fleet.me(), false);
   EXPECT_EQ(owner.server.Call(&FleetStub::MoveMap, MoveTo(other.address())).code(), grpc::FAILED_PRECONDITION);
   EXPECT_EQ(owner.server.Call(&FleetStub::ListMapOwners)->owners(0).server(), "servers/1") << "nothing has moved";
 }
 
-TEST_F(FleetOfTwo, LeavesAMapWhereItIs) {
+TEST_F(FleetOfTwo, AMoveToThePresentOwnerChangesNothing) {
   const auto moved = other.server.Call(&FleetStub::MoveMap, MoveTo("servers/1")).value();
   EXPECT_EQ(moved.owner().server(), "servers/1");
   EXPECT_EQ(moved.owner().epoch(), 1);
@@ -82,7 +82,7 @@ class UpgradingFleet final : public LoneFleet {
   std::int64_t in_force = 4;
 };
 
-TEST(FleetService, TellsOfAnUpgradeAndFinishesIt) {
+TEST(FleetService, ReportsAnUpgradeAndFinishesIt) {
   UpgradingFleet fleet;
   const auto store = MakeMemoryStore();
   TestServer server(*store, {}, {.fleet = &fleet});
@@ -100,7 +100,7 @@ TEST(FleetService, TellsOfAnUpgradeAndFinishesIt) {
   EXPECT_EQ(server.Call(&FleetStub::GetFleet)->schema().in_force(), 6);
 }
 
-TEST(FleetService, IsOfNoServerWithAFile) {
+TEST(FleetService, IsUnavailableOnADatabaseFile) {
   const auto store = MakeMemoryStore();
   TestServer server(*store);
   for (const std::string& reason :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two servers on one PostgreSQL database: each answers for all maps, and maps move while robots feed them.
+// Two servers on one PostgreSQL database. Each answers for all maps, and maps move while robots feed them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,8 @@ namespace {
 
 using FleetStub = v1::FleetService::Stub;
 
-/// Beats by itself, by a clock that stands still: nobody is ever dead, and maps move only when they are moved.
+/// A server process. Its heartbeats use a clock that stands still: no server ever counts as dead, and maps move only on
+/// request.
 struct Process {
   explicit Process(const std::string& schema)
       : store(OpenPostgresStore(
@@ -33,7 +34,7 @@ struct Process {
   TestServer server;
 };
 
-/// But for the steps in which the store keeps distances and weights.
+/// Compares up to the rounding of stored distances and weights.
 void ExpectSame(v1::PackedPointResults a, v1::PackedPointResults b) {
   ASSERT_EQ(a.tsdf_m_size(), b.tsdf_m_size());
   constexpr double kStep_m = 1e-4, kStepFraction = 0.01;
@@ -60,7 +61,7 @@ class PostgresFleet : public ::testing::Test {
     b = std::make_unique<Process>(schema);
     ASSERT_OK(a->server.Call(&MapStub::CreateMap, CreateRequest("room")));
     ASSERT_OK(Feed(a->server, "room", 0, 3).status);
-    ASSERT_OK(a->server.Call(&MappingStub::FinishMapping, "maps/room"));  // all is published
+    ASSERT_OK(a->server.Call(&MappingStub::FinishMapping, "maps/room"));  // publishes everything
   }
   static Answer<v1::MoveMapResponse> Move(Process& asked, Process& to) {
     v1::MoveMapRequest request;
@@ -85,9 +86,9 @@ TEST_F(PostgresFleet, EitherServerAnswersAndTakesFrames) {
   EXPECT_EQ(a->server.Call(&MapStub::GetMap, "maps/room").value().map().num_frames(), 6);
 }
 
-TEST_F(PostgresFleet, AMapMovesWithAllThatItHas) {
+TEST_F(PostgresFleet, AMovedMapAnswersAsBefore) {
   const auto before = b->server.Call(&QueryStub::QueryPoints, TestQuery("room")).value();
-  const auto moved = Move(*b, *b);  // by way of its owner
+  const auto moved = Move(*b, *b);  // the call is relayed to the owner
   ASSERT_OK(moved);
   EXPECT_EQ(moved->owner().server(), b->name());
   EXPECT_GT(moved->owner().epoch(), 1);
@@ -101,7 +102,7 @@ TEST_F(PostgresFleet, AMapMovesWithAllThatItHas) {
   EXPECT_EQ(OwnerOfRoom(*b), a->name());
 }
 
-TEST_F(PostgresFleet, AFeedGoesOnWhereTheMapHasGone) {
+TEST_F(PostgresFleet, AFeedFollowsItsMap) {
   auto connected = client::Client::Connect(b->address(), {});
   ASSERT_OK(connected);
   const auto map = connected->OpenMap("room");
@@ -116,7 +117,7 @@ TEST_F(PostgresFleet, AFeedGoesOnWhereTheMapHasGone) {
   EXPECT_EQ(map->Info()->num_frames, 3 + 3 * 2);
 }
 
-TEST_F(PostgresFleet, EditsWithAnIdAreDoneOnceWhereverTheyAreSent) {
+TEST_F(PostgresFleet, AnEditWithAnIdIsMadeOnceWhicheverServerReceivesIt) {
   v1::UpdateMapRequest rename;
   rename.mutable_map()->set_name("maps/room");
   rename.mutable_map()->set_display_name("Room");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls about a map that another server owns come from there, and look the same.
+// Calls about a map that another server owns are relayed to it, and look the same.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -43,7 +43,7 @@ TEST_F(FleetOfTwo, FramesGoThroughAnyServer) {
   EXPECT_EQ(owner.server.Call(&MapStub::GetMap, "maps/room").value().map().num_frames(), before + 6);
 }
 
-TEST_F(FleetOfTwo, AStreamOfQueriesGoesBothWays) {
+TEST_F(FleetOfTwo, AStreamOfQueriesIsRelayed) {
   grpc::ClientContext context;
   const auto stream = other.server.queries->StreamQueries(&context);
   for (int i = 1; i <= 5; ++i) {
@@ -62,7 +62,7 @@ TEST_F(FleetOfTwo, AStreamOfQueriesGoesBothWays) {
   EXPECT_OK(stream->Finish());
 }
 
-TEST_F(FleetOfTwo, AnswersNameTheOwnerWhoeverIsAsked) {
+TEST_F(FleetOfTwo, AnswersOfEveryServerNameTheOwner) {
   for (FleetMember* asked : {&owner, &other}) {
     (void)owner.fleet.OwnerOf("room");
     grpc::ClientContext context;
@@ -74,7 +74,7 @@ TEST_F(FleetOfTwo, AnswersNameTheOwnerWhoeverIsAsked) {
   }
 }
 
-TEST_F(FleetOfTwo, ErrorsComeWithTheirDetails) {
+TEST_F(FleetOfTwo, RelayedErrorsKeepTheirDetails) {
   const auto here = owner.server.Call(&SubmapStub::GetSubmap, "maps/room/submaps/99999");
   const auto there = other.server.Call(&SubmapStub::GetSubmap, "maps/room/submaps/99999");
   EXPECT_EQ(there.code(), grpc::NOT_FOUND);
@@ -82,7 +82,7 @@ TEST_F(FleetOfTwo, ErrorsComeWithTheirDetails) {
   EXPECT_EQ(there.status().error_details(), here.status().error_details());
 }
 
-TEST_F(FleetOfTwo, WhatNobodyHasIsNotFoundAsEver) {
+TEST_F(FleetOfTwo, AMissingMapIsNotFoundWithoutARelay) {
   const auto answer = other.server.Call(&MapStub::GetMap, "maps/none");
   EXPECT_EQ(answer.reason(), "MAP_NOT_FOUND");
   EXPECT_EQ(num_relayed, 0);
@@ -97,7 +97,7 @@ TEST_F(FleetOfTwo, ADeadOwnerIsUnreachable) {
 }
 
 TEST_F(FleetOfTwo, ADeadlineReachesTheOwner) {
-  // A watch that waits for a revision which never comes, at the owner, ends there when it ends here.
+  // A query waits at the owner for a revision that never comes. It ends there when the call ends here.
   v1::QueryPointsRequest request = TestQuery("room");
   request.mutable_options()->set_min_revision(1'000'000);
   grpc::ClientContext context;
@@ -106,12 +106,12 @@ TEST_F(FleetOfTwo, ADeadlineReachesTheOwner) {
   EXPECT_EQ(other.server.queries->QueryPoints(&context, request, &response).error_code(), grpc::DEADLINE_EXCEEDED);
 }
 
-TEST_F(FleetOfTwo, AnOwnerThatHasChangedIsAskedForOnceMore) {
-  ASSERT_OK(other.server.Call(&MapStub::GetMap, "maps/room"));  // knows `owner`
+TEST_F(FleetOfTwo, AChangedOwnerIsLookedUpOnceMore) {
+  ASSERT_OK(other.server.Call(&MapStub::GetMap, "maps/room"));  // `other` now knows `owner`
   FleetMember third{room};
   ASSERT_OK(third.server.Call(&MapStub::CreateMap, CreateRequest("room")));
   room->AddMap("room", third.fleet.me());
-  (void)owner.fleet.OwnerOf("room");  // it knows that it is not any more; `other` does not
+  (void)owner.fleet.OwnerOf("room");  // `owner` knows of the change, `other` does not
   const int asked = other.fleet.num_asked();
   const auto map = other.server.Call(&MapStub::GetMap, "maps/room");
   ASSERT_OK(map);
@@ -119,10 +119,10 @@ TEST_F(FleetOfTwo, AnOwnerThatHasChangedIsAskedForOnceMore) {
   EXPECT_EQ(map->revision(), third.server.Call(&MapStub::GetMap, "maps/room")->revision());
 }
 
-TEST_F(FleetOfTwo, AnOwnerThatDoesNotKnowYetAsks) {
+TEST_F(FleetOfTwo, AFormerOwnerLooksUpTheNewOne) {
   ASSERT_OK(owner.server.Call(&MapStub::GetMap, "maps/room"));
   ASSERT_OK(other.server.Call(&MapStub::CreateMap, CreateRequest("room")));
-  (void)other.fleet.OwnerOf("room");  // knows `owner`, and is given the map then
+  (void)other.fleet.OwnerOf("room");  // `other` knows `owner`, and then gets the map
   room->AddMap("room", other.fleet.me());
   owner.fleet.Forget("room");
   const auto map = owner.server.Call(&MapStub::GetMap, "maps/room");
@@ -131,7 +131,7 @@ TEST_F(FleetOfTwo, AnOwnerThatDoesNotKnowYetAsks) {
   EXPECT_TRUE(other.fleet.KnownOwner("room")->is_me);
 }
 
-TEST_F(FleetOfTwo, ACallGoesOneHopAtMost) {
+TEST_F(FleetOfTwo, ACallIsRelayedAtMostOnce) {
   (void)other.fleet.OwnerOf("room");
   grpc::ClientContext context;
   context.AddMetadata(kRelayedKey, kPassedOn);
@@ -143,7 +143,7 @@ TEST_F(FleetOfTwo, ACallGoesOneHopAtMost) {
   EXPECT_EQ(num_relayed, 0);
 }
 
-TEST_F(FleetOfTwo, WhatIsOnItsWayCounts) {
+TEST_F(FleetOfTwo, RelayedBytesCountInTheBudget) {
   const auto budget = std::make_shared<ByteBudget>(300u << 10, 1u << 10);
   FleetMember small{room, {.inflight = budget}};
   const v1::QueryPointsRequest request = TestQuery("room");
@@ -154,7 +154,7 @@ TEST_F(FleetOfTwo, WhatIsOnItsWayCounts) {
   EXPECT_OK(small.server.Call(&MapStub::GetMap, "maps/room"));
 }
 
-TEST_F(FleetOfTwo, AnOwnerThatCannotBeatRefuses) {
+TEST_F(FleetOfTwo, AnOwnerWithoutHeartbeatsRefuses) {
   (void)owner.fleet.OwnerOf("room");
   owner.fleet.SetMayAnswer(false);
   EXPECT_EQ(owner.server.Call(&MapStub::GetMap, "maps/room").reason(), "DATABASE_UNREACHABLE");
@@ -163,7 +163,7 @@ TEST_F(FleetOfTwo, AnOwnerThatCannotBeatRefuses) {
   EXPECT_OK(other.server.Call(&MapStub::GetMap, "maps/room"));
 }
 
-TEST_F(FleetOfTwo, AMapThatNobodyOwnsIsTakenByWhoIsAsked) {
+TEST_F(FleetOfTwo, AMapWithoutAnOwnerIsTakenByTheCalledServer) {
   ASSERT_OK(other.server.Call(&MapStub::CreateMap, CreateRequest("hall")));
   room->AddMap("hall", 0);
   EXPECT_OK(Feed(other.server, "hall", 0, 2).status) << "through the process, as the owner was not known";

@@ -158,7 +158,7 @@ TEST_F(FleetUpgradeTest, ServersThatStartAtOnceBringTheDatabaseUpTogether) {
   for (const Server& server : started) EXPECT_EQ(InForce(server), today_ + 1);
 }
 
-TEST_F(FleetUpgradeTest, AServerOfTheLastReleaseGoesOnBesideThisOne) {
+TEST_F(FleetUpgradeTest, AServerOfTheLastReleaseWorksBesideThisOne) {
   MakeDatabaseOfLastRelease();
   postgres::Connection last = Connect();
   ASSERT_OK(last.Execute(kRowOfLastRelease, kTask));

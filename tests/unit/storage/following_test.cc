@@ -200,7 +200,7 @@ TEST_F(FollowingTest, FollowingTakesNoMap) {
   ExpectFollowed();
 }
 
-TEST_F(FollowingTest, AnotherMapOfTheSameNameIsReadAnew) {
+TEST_F(FollowingTest, AnotherMapOfTheSameNameIsLoadedAgain) {
   ASSERT_TRUE(owner_->DeleteMap("house").ok());
   EXPECT_EQ(reader_->ReadSince(followed_).status().code(), StatusCode::kNotFound);
   map_ = std::make_unique<Map>(generator_.Info("house"));
@@ -210,7 +210,7 @@ TEST_F(FollowingTest, AnotherMapOfTheSameNameIsReadAnew) {
   ExpectFollowed();
 }
 
-TEST_F(FollowingTest, WhoIsTooFarBehindReadsTheMapAnew) {
+TEST_F(FollowingTest, ACopyTooFarBehindIsLoadedAgain) {
   const auto run = [this](const std::string& sql) {
     const auto done = pool_->Read<bool>([&](postgres::Connection& connection) -> Result<bool> {
       DHPMAP_RETURN_IF_ERROR(connection.Execute(sql, "change the test's rows"));

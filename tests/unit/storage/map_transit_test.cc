@@ -121,7 +121,7 @@ TEST_P(TransitTest, AStateIsAlwaysTheSameFile) {
   EXPECT_FALSE(Export(*store_, "street") == bytes);
 }
 
-TEST_P(TransitTest, WhatIsNotThereOrTakenOrNotWantedIsRefused) {
+TEST_P(TransitTest, MissingTakenAndUnwantedMapsAreRefused) {
   const std::string bytes = Export(*store_, "house");
   EXPECT_EQ(store_->ExportMap("none", {}).status().code(), StatusCode::kNotFound);
   EXPECT_EQ(Import(*store_, bytes).status().code(), StatusCode::kAlreadyExists);

@@ -34,7 +34,7 @@ TEST_F(OwnersTest, AMapHasOneOwnerWhomTheOthersName) {
   EXPECT_TRUE(one.fleet().KnownOwner("house")->is_me);
 }
 
-TEST_F(OwnersTest, WhatIsKnownOfAnOwnerIsForgottenWithItAndOnDemand) {
+TEST_F(OwnersTest, CachedOwnersAreDroppedWithTheirServerAndOnDemand) {
   auto one = Open("one:1"), two = Open("two:2");
   (void)Create(one);
   Pass(1, {&one, &two});
@@ -245,7 +245,7 @@ TEST_F(OwnersTest, AMapIsDeletedByItsOwnerAndMayBeMadeElsewhere) {
   EXPECT_EQ(OwnerIn(one.store->LoadMap("house").status()), "two:2");
 }
 
-TEST_F(OwnersTest, CommitsOfOthersAreTold) {
+TEST_F(OwnersTest, CommitsOfOtherServersAreReported) {
   auto one = Open("one:1"), two = Open("two:2");
   const auto map = Create(one);
   const auto own = Create(two, "garden");

@@ -53,7 +53,7 @@ TEST_F(PeersTest, WhoBeatsIsAliveUntilALeaseAfterItsLastBeat) {
   EXPECT_EQ(OnOther(), Verdict::kDead);
 }
 
-TEST_F(PeersTest, ASilentDatabaseKillsNobody) {
+TEST_F(PeersTest, ASilentDatabaseKillsNoServer) {
   Beat(7);
   Beat(8);
   now_ns_ += 5 * kSecond;

@@ -135,7 +135,7 @@ TEST_F(PostgresPagingTest, AStateThatTheMapHasLeftBehindIsExpiredOnceItsBlobsAre
   EXPECT_GE(num_expired, 4);
 }
 
-TEST_F(PostgresPagingTest, WhatIsLostIsDataLossOfWhoAsksForItAlone) {
+TEST_F(PostgresPagingTest, LostVoxelsAreDataLossForTheirReadersOnly) {
   const std::string of_second = "map_key = (SELECT map_key FROM maps) AND owner_id = 2";
   const std::string its_blobs = "blob_key IN (SELECT blob_key FROM tiles WHERE " + of_second + ")";
   Open(true);

@@ -88,7 +88,7 @@ TEST_F(PostgresStoreTest, ACommitTakesTwoRoundTripsWhateverItHolds) {
   EXPECT_EQ(pool.num_round_trips() - trips_before, 2) << "an edit with its log and what undoes it";
 }
 
-TEST_F(PostgresStoreTest, ACommitGoesOnAfterAllConnectionsWereCut) {
+TEST_F(PostgresStoreTest, ACommitContinuesAfterAllConnectionsWereCut) {
   const auto store = Open();
   const auto map = Create(*store);
   PostgresCluster::Get()->CutConnections();
@@ -222,7 +222,7 @@ TEST_F(PostgresStoreTest, ReservedNumbersAreLeftByTheNextOwner) {
   EXPECT_EQ(stored->lost_revisions[0].last, info.revision + 5);
 }
 
-TEST_F(PostgresStoreTest, WhatIsAskedAfterRowsThatCameOneByOneIsAnsweredWhole) {
+TEST_F(PostgresStoreTest, AQueryAfterSingleRowModeIsAnsweredCompletely) {
   postgres::ConnectionOptions options;
   options.url = PostgresCluster::Get()->Url();
   auto connection = postgres::Connection::Open(options);

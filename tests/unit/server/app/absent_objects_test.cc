@@ -11,12 +11,12 @@
 #include "server/app/queries/trajectory_check.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
-// Objects that are absent are in nobody's way, unless somebody asks for them.
+// Absent objects do not count in queries, unless the query includes them.
 
 namespace dhpmap {
 namespace {
 
-/// A ball that is absent, and one that is there 3 m beside it.
+/// An absent ball, and a present one 3 m away.
 class AbsentObjects : public ::testing::TestWithParam<bool> {
  protected:
   AbsentObjects() {

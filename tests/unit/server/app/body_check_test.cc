@@ -15,7 +15,7 @@ namespace {
 
 using testing::PlaneMap;
 
-/// In a frame that is shifted and turned, and heedless of what nobody has seen.
+/// In a shifted and turned frame; unobserved space counts as free.
 CheckQuestion Turned() {
   CheckQuestion question;
   question.options.unknown = UnknownSpace::kFree;
@@ -24,7 +24,7 @@ CheckQuestion Turned() {
   return question;
 }
 
-TEST(CheckBodies, SpeaksInTheAskersFrame) {
+TEST(CheckBodies, AnswersInTheQueryFrame) {
   const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   CheckQuestion question = Turned();
@@ -50,7 +50,7 @@ TEST(CheckBodies, SpeaksInTheAskersFrame) {
               }).ok());
 }
 
-TEST(CheckTrajectories, SpeakInTheAskersFrame) {
+TEST(CheckTrajectories, AnswerInTheQueryFrame) {
   const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const CheckQuestion question = Turned();
@@ -82,7 +82,7 @@ TEST(CheckTrajectories, SpeakInTheAskersFrame) {
   EXPECT_FALSE(answers[2].is_valid);
 }
 
-TEST(CheckBodies, EndsSoonAfterTheCallerIsGone) {
+TEST(CheckBodies, EndsSoonAfterACancellation) {
   const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const std::vector<Body> bodies(5000, Capsule{{0.1, 0.1, 0.3}, {0.1, 0.1, 0.3}, 0.15});
@@ -95,7 +95,7 @@ TEST(CheckBodies, EndsSoonAfterTheCallerIsGone) {
   EXPECT_EQ(num_answered, 100);
 }
 
-// Piece by piece, and what a check may cost.
+// Checks in pieces, and the limit of their cost.
 
 constexpr std::size_t kRoomForSheet = std::size_t{1} << 30;
 
@@ -104,7 +104,7 @@ const std::shared_ptr<const MapSnapshot>& SmallSheet() {
   return sheet;
 }
 
-/// Every second touches the sheet: small boxes and spheres, and one box that holds all of it.
+/// Every second body touches the sheet: small boxes and spheres, and one box around all of it.
 std::vector<Body> SomeBodies() {
   std::vector<Body> bodies;
   for (int i = 0; i < 40; ++i) {
@@ -133,7 +133,7 @@ void ExpectSameAnswer(const BodyAnswer& expected, const BodyAnswer& answer) {
   }
 }
 
-TEST(BodyCheck, SaysTheSameInPiecesAsAtOnce) {
+TEST(BodyCheck, AnswersTheSameInPiecesAsAtOnce) {
   SurfaceCache cache(kRoomForSheet);
   const std::vector<Body> bodies = SomeBodies();
   std::vector<BodyAnswer> expected, answers;
@@ -153,7 +153,7 @@ TEST(BodyCheck, SaysTheSameInPiecesAsAtOnce) {
   for (std::size_t i = 0; i < answers.size(); ++i) ExpectSameAnswer(expected[i], answers[i]);
 }
 
-TEST(BodyCheck, LeavesWhatTakesLongToALongerPiece) {
+TEST(BodyCheck, LeavesLongWorkToALongerPiece) {
   SurfaceCache cache(kRoomForSheet);
   const std::vector<Body> bodies = SomeBodies();
   BodyCheck check(SmallSheet(), cache, Heedless(), bodies);
@@ -167,7 +167,7 @@ TEST(BodyCheck, LeavesWhatTakesLongToALongerPiece) {
   EXPECT_EQ(num_answered, bodies.size());
 }
 
-TEST(BodyCheck, IsBoundByWhatItLooksAtAndNotByTheNumberOfBodies) {
+TEST(BodyCheck, IsLimitedByItsWorkAndNotByTheNumberOfBodies) {
   SurfaceCache cache(kRoomForSheet);
   const auto outcome = [&](const std::vector<Body>& bodies, double padding_m, UnknownSpace unknown) {
     CheckQuestion question = Heedless();
@@ -206,7 +206,7 @@ TEST(BodyCheck, EndsSoonWithinABody) {
   EXPECT_GT(whole.spent(), 2'000) << "else this shows nothing";
 }
 
-TEST(TrajectoryCheck, IsBoundByWhatItLooksAtAndSaysTheSameInPieces) {
+TEST(TrajectoryCheck, IsLimitedByItsWorkAndAnswersTheSameInPieces) {
   SurfaceCache cache(kRoomForSheet);
   const auto motion_of = [](std::size_t number) {
     RobotMotion motion;

@@ -47,7 +47,7 @@ class ChangeFeedTest : public ::testing::Test {
   std::unique_ptr<ChangeFeed::Follower> Follow() {
     return std::move(*feed_.Follow("room", [this] { ++num_woken_; }));
   }
-  /// Last revisions of what is read from a position to the end.
+  /// Last revisions of the changes from a position to the end.
   std::vector<std::int64_t> ReadFrom(std::int64_t after) {
     std::vector<std::int64_t> read;
     while (true) {
@@ -65,7 +65,7 @@ class ChangeFeedTest : public ::testing::Test {
   int num_woken_ = 0;
 };
 
-TEST_F(ChangeFeedTest, WakesThoseWhoFollowTheMapUntilTheyGo) {
+TEST_F(ChangeFeedTest, WakesTheFollowersOfAMapUntilTheyLeave) {
   auto one = Follow();
   const auto other = std::move(*feed_.Follow("elsewhere", [] { FAIL() << "nothing happened there"; }));
   Commit();
@@ -75,7 +75,7 @@ TEST_F(ChangeFeedTest, WakesThoseWhoFollowTheMapUntilTheyGo) {
   EXPECT_EQ(num_woken_, 1);
 }
 
-TEST_F(ChangeFeedTest, MoreThanAllowedAreRefused) {
+TEST_F(ChangeFeedTest, FollowersBeyondTheLimitAreRefused) {
   auto one = Follow(), two = Follow(), three = Follow();
   const auto refused = feed_.Follow("room", [] {});
   EXPECT_EQ(refused.status().reason(), Reason("TOO_MANY_WATCHERS"));
@@ -84,7 +84,7 @@ TEST_F(ChangeFeedTest, MoreThanAllowedAreRefused) {
   EXPECT_TRUE(feed_.Follow("room", [] {}).ok());
 }
 
-TEST_F(ChangeFeedTest, TheStoreIsReadOnceForAllWhoAreThere) {
+TEST_F(ChangeFeedTest, TheStoreIsReadOnceForAllFollowers) {
   const auto follower = Follow();
   const std::int64_t now = feed_.Read("room", std::numeric_limits<std::int64_t>::max())->revision;
   EXPECT_EQ(now, 1);
@@ -97,7 +97,7 @@ TEST_F(ChangeFeedTest, TheStoreIsReadOnceForAllWhoAreThere) {
   EXPECT_EQ(store_.num_reads, 2);
 }
 
-TEST_F(ChangeFeedTest, TellsTheSameAsTheStoreFromAnyPosition) {
+TEST_F(ChangeFeedTest, AgreesWithTheStoreFromAnyPosition) {
   const auto follower = Follow();
   for (int round = 0; round < 12; ++round) {
     Commit(1 + round % 4, round % 5 == 0 ? 3000 : 1);  // some too large to be kept
@@ -110,7 +110,7 @@ TEST_F(ChangeFeedTest, TellsTheSameAsTheStoreFromAnyPosition) {
   }
 }
 
-TEST_F(ChangeFeedTest, APageIsOfABoundedSizeWhereverItComesFrom) {
+TEST_F(ChangeFeedTest, PagesHaveABoundedSizeFromCacheAndStore) {
   auto follower = Follow();
   Commit(50, 60);
   ASSERT_GT(ReadFrom(1).size(), 40u);
@@ -129,7 +129,7 @@ TEST_F(ChangeFeedTest, APageIsOfABoundedSizeWhereverItComesFrom) {
   }
 }
 
-TEST_F(ChangeFeedTest, WhatIsNotKeptAnyMoreIsCompactedForThoseBehindOnly) {
+TEST_F(ChangeFeedTest, OnlyPositionsBeforeTheKeptHistoryAreCompacted) {
   const auto follower = Follow();
   EXPECT_EQ(ReadFrom(0).size(), 1u);
   Commit(80);
@@ -137,7 +137,7 @@ TEST_F(ChangeFeedTest, WhatIsNotKeptAnyMoreIsCompactedForThoseBehindOnly) {
   EXPECT_EQ(ReadFrom(60).size(), 21u);
 }
 
-TEST_F(ChangeFeedTest, AMapThatIsGoneIsNotFoundAndAnotherOfItsNameHasItsOwnChanges) {
+TEST_F(ChangeFeedTest, ADeletedMapIsNotFoundAndANewOneHasItsOwnChanges) {
   const auto follower = Follow();
   Commit(5);
   EXPECT_EQ(ReadFrom(0).size(), 6u);
@@ -151,9 +151,9 @@ TEST_F(ChangeFeedTest, AMapThatIsGoneIsNotFoundAndAnotherOfItsNameHasItsOwnChang
   EXPECT_EQ(list->changes.size(), 1u);
 }
 
-TEST_F(ChangeFeedTest, IsReadByWhoeverAsksToo) { EXPECT_EQ(ReadFrom(0), std::vector<std::int64_t>{1}); }
+TEST_F(ChangeFeedTest, IsReadableWithoutFollowing) { EXPECT_EQ(ReadFrom(0), std::vector<std::int64_t>{1}); }
 
-TEST(WatchPosition, ComesBackFromItsText) {
+TEST(WatchPosition, RoundTripsAsText) {
   for (const WatchPosition& position :
        {WatchPosition{1, 0}, WatchPosition{0x7fff'ffff'ffff'ffff, std::int64_t{1} << 62}}) {
     EXPECT_EQ(ParsePosition(PositionText(position)), position);
@@ -166,7 +166,7 @@ TEST(WatchPosition, ComesBackFromItsText) {
   }
 }
 
-TEST(WatchPosition, BeforeAStartIsWhatIsKnownThen) {
+TEST(WatchPosition, BeforeAStartIsTheStateKnownThen) {
   MapInfo map;
   map.history_id = 5;
   map.revision = 40;

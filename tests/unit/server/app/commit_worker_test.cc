@@ -20,7 +20,7 @@
 namespace dhpmap {
 namespace {
 
-/// A store in which a test holds up commits and reads what was asked.
+/// A store whose commits a test can delay, and which records the calls.
 class ScriptedStore final : public testing::WrappedStore {
  public:
   struct Call {
@@ -45,7 +45,7 @@ class ScriptedStore final : public testing::WrappedStore {
     Throw();
     return std::exchange(next_outcome, Status::Ok());
   }
-  /// The next call throws it.
+  /// Makes the next call throw this exception.
   template <typename Exception>
   void ThrowNext(const Exception& exception) {
     next_exception = std::make_exception_ptr(exception);
@@ -123,7 +123,7 @@ TEST_F(CommitWorkerTest, AfterAFailureTheNextCommitStartsFromTheLastGoodState) {
   EXPECT_EQ(store.calls[1].after, 3);
 }
 
-TEST_F(CommitWorkerTest, OfWhatIsStoredNothingButMarksIsKept) {
+TEST_F(CommitWorkerTest, OnlyMarksOfTheStoredStateAreKept) {
   const SubmapId id = map->Create({.panoptic = Panoptic::kThing, .voxel_size_m = 0.04}).id();
   map->FindMutable(id)->MutableTsdf({0, 0, 0});
   auto snapshot = map->Publish(0);
@@ -138,7 +138,7 @@ TEST_F(CommitWorkerTest, OfWhatIsStoredNothingButMarksIsKept) {
   EXPECT_EQ(store.calls.back().before, 2);
 }
 
-TEST_F(CommitWorkerTest, AfterAnUnseenStateWasRefusedTheStoreIsTriedWithWhatItHas) {
+TEST_F(CommitWorkerTest, AfterARefusedEditTheStoreIsTriedWithItsOwnState) {
   worker.emplace(store, first, /*retry_s=*/0.01, CommitWorker::Observer());
   store.next_outcome = ResourceExhausted("full");
   EXPECT_EQ(worker->CommitUnseen(Change()).code(), StatusCode::kResourceExhausted);
@@ -148,7 +148,7 @@ TEST_F(CommitWorkerTest, AfterAnUnseenStateWasRefusedTheStoreIsTriedWithWhatItHa
   EXPECT_EQ(store.calls.back().after, 1);
 }
 
-TEST_F(CommitWorkerTest, WithTheSameStateAgainTheStoreIsStillTried) {
+TEST_F(CommitWorkerTest, ARequestForTheStoredStateStillTriesTheStore) {
   worker.emplace(store, first, /*retry_s=*/0.01, CommitWorker::Observer());
   const auto same = std::make_shared<const MapSnapshot>(*first);
   worker->EvictPages(same);
@@ -161,7 +161,7 @@ TEST_F(CommitWorkerTest, WithTheSameStateAgainTheStoreIsStillTried) {
   EXPECT_EQ(store.calls.back().after, 1) << "not said to be well because nobody has asked it";
 }
 
-TEST_F(CommitWorkerTest, AStateThatWaitsIsNotKeptOnceItIsThereAgainWithoutVoxels) {
+TEST_F(CommitWorkerTest, APendingStateIsReplacedByItsEvictedCopy) {
   store.next_outcome = ResourceExhausted("full");
   auto waiting = Change();
   EXPECT_FALSE(Request(waiting, Durability::kNormal).get().ok());
@@ -176,7 +176,7 @@ TEST_F(CommitWorkerTest, AStateThatWaitsIsNotKeptOnceItIsThereAgainWithoutVoxels
   EXPECT_EQ(store.calls.back().after, 2) << "it is stored all the same";
 }
 
-TEST_F(CommitWorkerTest, EveryStateThatIsStoredIsHandedOnBeforeAnybodyIsAnswered) {
+TEST_F(CommitWorkerTest, EveryStoredStateReachesTheKeeperBeforeTheCallbacks) {
   std::vector<std::int64_t> kept;
   worker.emplace(store, first, /*retry_s=*/1000.0, CommitWorker::Observer(),
                  [&kept](const std::shared_ptr<const MapSnapshot>& state) { kept.push_back(state->revision()); });
@@ -190,7 +190,7 @@ TEST_F(CommitWorkerTest, EveryStateThatIsStoredIsHandedOnBeforeAnybodyIsAnswered
   EXPECT_EQ(kept, (std::vector<std::int64_t>{2, 4}));
 }
 
-TEST_F(CommitWorkerTest, StopCommitsOnceMoreWhatIsNotStored) {
+TEST_F(CommitWorkerTest, StopTriesOnceMoreToCommitUnstoredChanges) {
   store.next_outcome = ResourceExhausted("full");
   EXPECT_FALSE(Request(Change(), Durability::kNormal).get().ok());
   worker->Stop();
@@ -199,7 +199,7 @@ TEST_F(CommitWorkerTest, StopCommitsOnceMoreWhatIsNotStored) {
   EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kUnavailable);
 }
 
-TEST_F(CommitWorkerTest, AfterDeletionThereIsNothingToCommitTo) {
+TEST_F(CommitWorkerTest, AfterADeletionCommitsFail) {
   std::promise<Status> deleted;
   worker->DeleteMap([&deleted](const Status& status) { deleted.set_value(status); });
   EXPECT_TRUE(deleted.get_future().get().ok());
@@ -208,7 +208,7 @@ TEST_F(CommitWorkerTest, AfterDeletionThereIsNothingToCommitTo) {
   EXPECT_TRUE(store.calls.empty());
 }
 
-TEST_F(CommitWorkerTest, ACommitThatThrowsIsOneThatFailed) {
+TEST_F(CommitWorkerTest, ACommitThatThrowsHasFailed) {
   store.ThrowNext(std::bad_alloc());
   const Status no_memory = Request(Change(), Durability::kNormal).get();
   EXPECT_EQ(no_memory.code(), StatusCode::kResourceExhausted);
@@ -229,7 +229,7 @@ TEST_F(CommitWorkerTest, ACommitThatThrowsIsOneThatFailed) {
   EXPECT_EQ(store.calls.back().after, 5);
 }
 
-TEST_F(CommitWorkerTest, WhatACommitThatThrewLeftIsStoredAtTheNextAttempt) {
+TEST_F(CommitWorkerTest, ChangesOfACommitThatThrewAreStoredByTheNext) {
   worker.emplace(store, first, /*retry_s=*/0.01, CommitWorker::Observer());
   store.ThrowNext(std::bad_alloc());
   EXPECT_FALSE(Request(Change(), Durability::kNormal).get().ok());
@@ -244,7 +244,7 @@ TEST_F(CommitWorkerTest, AnUnseenStateWhoseCommitThrowsIsDropped) {
   ASSERT_EQ(store.calls.size(), 1u) << "no later commit writes it";
 }
 
-TEST_F(CommitWorkerTest, ACommitThatThrowsWhenAllIsWrittenIsDone) {
+TEST_F(CommitWorkerTest, ACommitThatThrowsAfterWritingHasSucceeded) {
   store.is_lost_in_answering = true;
   store.ThrowNext(std::bad_alloc());
   EXPECT_TRUE(worker->CommitUnseen(Change()).ok());
@@ -285,7 +285,7 @@ TEST_F(CommitWorkerTest, ADeletionThatThrowsChangesNothing) {
   EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kNotFound);
 }
 
-TEST_F(CommitWorkerTest, ADeletionThatThrowsWhenAllIsGoneIsDone) {
+TEST_F(CommitWorkerTest, ADeletionThatThrowsAfterDeletingHasSucceeded) {
   store.stored = StoredMap{.info = first->info()};
   store.is_lost_in_answering = true;
   store.ThrowNext(std::bad_alloc());
@@ -293,7 +293,7 @@ TEST_F(CommitWorkerTest, ADeletionThatThrowsWhenAllIsGoneIsDone) {
   EXPECT_EQ(Request(Change(), Durability::kNormal).get().code(), StatusCode::kNotFound);
 }
 
-TEST_F(CommitWorkerTest, WhoThrowsWhenToldKeepsNobodyFromTheAnswer) {
+TEST_F(CommitWorkerTest, ACallbackThatThrowsDoesNotPreventOthers) {
   int num_heard = 0;
   worker.emplace(store, first, /*retry_s=*/1000.0, [&num_heard](double, const Status&) {
     ++num_heard;
@@ -312,7 +312,7 @@ TEST_F(CommitWorkerTest, WhoThrowsWhenToldKeepsNobodyFromTheAnswer) {
   worker->Request(Change(), Durability::kNormal, rude);  // refused here and now
 }
 
-TEST_F(CommitWorkerTest, OnceTheMapIsAnothersNothingMoreIsTried) {
+TEST_F(CommitWorkerTest, NothingIsCommittedAfterALoss) {
   worker.emplace(store, first, /*retry_s=*/0.001, CommitWorker::Observer());
   store.next_outcome = Unavailable("taken").WithReason("NOT_OWNER").WithMetadata("owner", "two:2");
   const Status refused = Request(Change(), Durability::kNormal).get();

@@ -27,7 +27,7 @@ TEST(LookUpDistances, AnswersInTheOrderOfThePoints) {
   EXPECT_NEAR(answers[2].distance_m, -0.1, 1e-3);
 }
 
-TEST(LookUpDistances, SpeaksInTheAskersFrame) {
+TEST(LookUpDistances, AnswersInTheQueryFrame) {
   const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   DistanceQuestion question;
@@ -42,7 +42,7 @@ TEST(LookUpDistances, SpeaksInTheAskersFrame) {
               }).ok());
 }
 
-TEST(LookUpDistances, EndsSoonAfterTheCallerIsGone) {
+TEST(LookUpDistances, EndsSoonAfterACancellation) {
   const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const std::vector<Eigen::Vector3d> points_m(20000, {0.1, 0.1, 0.1});
@@ -56,7 +56,7 @@ TEST(LookUpDistances, EndsSoonAfterTheCallerIsGone) {
   EXPECT_LT(num_answered, 10000);
 }
 
-TEST(LookUpDistances, OfNoPointsIsNothing) {
+TEST(LookUpDistances, OfNoPointsIsEmpty) {
   const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   EXPECT_TRUE(LookUpDistances(view, cache, {}, {}, {}, InPlace, [](const SurfaceDistance&) { FAIL(); }).ok());

@@ -13,7 +13,7 @@ namespace {
 
 std::string_view NameOfReason(const Status& status) { return status.reason().name(); }
 
-/// A map with things that are rows of blocks along x, each at a y of its own.
+/// A map whose things are rows of blocks along x, each at its own y.
 class EditListTest : public ::testing::Test {
  protected:
   EditListTest() {
@@ -64,7 +64,7 @@ class EditListTest : public ::testing::Test {
   std::vector<SubmapId> things_;
 };
 
-TEST_F(EditListTest, LaterEditsWorkOnWhatEarlierOnesMade) {
+TEST_F(EditListTest, LaterEditsApplyToTheResultsOfEarlierOnes) {
   EditList list;
   list.edits.push_back(On(things_[0], CloneEdit{}));
   list.edits.push_back(On(EarlierResult{0}, SplitAfterBlocks(1)));
@@ -91,7 +91,7 @@ TEST_F(EditListTest, AnErrorNamesItsEdit) {
   EXPECT_TRUE(results.status().message().starts_with("edits[1]: ")) << results.status().message();
 }
 
-TEST_F(EditListTest, WhatWasMergedInTheListIsNamedByTheError) {
+TEST_F(EditListTest, AnErrorNamesTheSuccessorMergedInTheList) {
   EditList list;
   list.edits.push_back(On(things_[0], MergeEdit{{things_[1]}}));
   list.edits.push_back(On(things_[1], Rename("part")));
@@ -101,7 +101,7 @@ TEST_F(EditListTest, WhatWasMergedInTheListIsNamedByTheError) {
   EXPECT_EQ(results.status().metadata()[0].second, "maps/m/submaps/" + std::to_string(things_[0].value));
 }
 
-TEST_F(EditListTest, EtagsAreThoseOfBeforeTheList) {
+TEST_F(EditListTest, EtagsReferToTheStateBeforeTheList) {
   const std::string etag = EtagOf(*map_.Find(things_[0]), map_.info());
   EditList list;
   for (int i = 0; i < 2; ++i) {
@@ -113,7 +113,7 @@ TEST_F(EditListTest, EtagsAreThoseOfBeforeTheList) {
   EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "ETAG_MISMATCH");
 }
 
-TEST_F(EditListTest, ExpectedRevisionSeesEditsAndNotFrames) {
+TEST_F(EditListTest, ExpectedRevisionsCompareEditsAndNotFrames) {
   const std::int64_t known = map_.info().revision;
   map_.FindMutable(things_[0])->MutableTsdf({0, 0, 0}).weight[0] = 9;  // as a frame does
   map_.Publish(2);
@@ -132,7 +132,7 @@ TEST_F(EditListTest, ExpectedRevisionSeesEditsAndNotFrames) {
   EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "EDITED_SINCE");
 }
 
-TEST_F(EditListTest, EtagsSeeEditsAndNotFrames) {
+TEST_F(EditListTest, EtagsCompareEditsAndNotFrames) {
   EditList list;
   list.edits.push_back(On(things_[0], Rename("first")));
   list.edits[0].etag = EtagOf(*map_.Find(things_[0]), map_.info());
@@ -145,7 +145,7 @@ TEST_F(EditListTest, EtagsSeeEditsAndNotFrames) {
   EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "ETAG_MISMATCH") << "of another object";
 }
 
-TEST_F(EditListTest, WhatTheListClearsFirstIsStillComparedAsItWasBefore) {
+TEST_F(EditListTest, AnObjectClearedByTheListIsComparedAsBeforeTheList) {
   const std::int64_t known = map_.info().revision;
   const std::string etag = EtagOf(*map_.Find(things_[0]), map_.info());
   ASSERT_TRUE(ApplyEdits({.edits = {On(things_[0], Rename("of another client"))}}, map_).ok());
@@ -164,7 +164,7 @@ TEST_F(EditListTest, WhatTheListClearsFirstIsStillComparedAsItWasBefore) {
   EXPECT_TRUE(ApplyEdits(list, map_).ok());
 }
 
-TEST_F(EditListTest, WhatWasLostIsNeitherExpectedNorNamedByAnEtag) {
+TEST_F(EditListTest, LostRevisionsAndTheirEtagsAreRefused) {
   const std::int64_t lost = map_.info().revision;
   EditList list{.edits = {}, .expected_revision = lost, .lost = {{lost, lost}}};
   list.edits.push_back(On(things_[0], Rename("x")));
@@ -182,7 +182,7 @@ TEST_F(EditListTest, WhatWasLostIsNeitherExpectedNorNamedByAnEtag) {
   EXPECT_TRUE(ApplyEdits(list, map_).ok());
 }
 
-TEST_F(EditListTest, WhatIsSoAlreadyIsNoRevisionAndNoChange) {
+TEST_F(EditListTest, EditsWithoutEffectMakeNoRevision) {
   SubmapPatch patch{.T_map_submap = Transform(Eigen::Translation3d(0, 0, 1)), .class_id = ClassId(1)};
   patch.is_locked = true;
   EditList list;
@@ -201,7 +201,7 @@ TEST_F(EditListTest, WhatIsSoAlreadyIsNoRevisionAndNoChange) {
   EXPECT_EQ(map_.Publish(3), before);
 }
 
-TEST_F(EditListTest, MergesCountAsEditsOfWhatIsLeft) {
+TEST_F(EditListTest, AMergeCountsAsAnEditOfTheRemainingObject) {
   const std::int64_t known = map_.info().revision;
   EditList merge;
   merge.edits.push_back(On(things_[0], MergeEdit{{things_[1]}}));
@@ -212,7 +212,7 @@ TEST_F(EditListTest, MergesCountAsEditsOfWhatIsLeft) {
   EXPECT_EQ(NameOfReason(ApplyEdits(list, map_).status()), "EDITED_SINCE");
 }
 
-TEST_F(EditListTest, WhatMakesNoSenseIsRefused) {
+TEST_F(EditListTest, MeaninglessEditsAreRefused) {
   const auto reason_of = [this](Edit edit) {
     EditList list;
     list.edits.push_back(std::move(edit));
@@ -229,7 +229,7 @@ TEST_F(EditListTest, WhatMakesNoSenseIsRefused) {
   EXPECT_EQ(reason_of(On(things_[0], SplitEdit{SplitByParts{}})), "NOTHING_TO_SPLIT");
 }
 
-TEST_F(EditListTest, ABackgroundIsNeitherAbsentNorSplitIntoNoClass) {
+TEST_F(EditListTest, ABackgroundCannotBeAbsentOrSplitWithoutAClass) {
   SubmapInfo info;
   info.panoptic = Panoptic::kStuff;
   info.class_id = ClassId(4);
@@ -242,7 +242,7 @@ TEST_F(EditListTest, ABackgroundIsNeitherAbsentNorSplitIntoNoClass) {
   }
 }
 
-TEST_F(EditListTest, ABackgroundIsSplitIntoThingsOfTheClassThatIsNamed) {
+TEST_F(EditListTest, ABackgroundIsSplitIntoThingsOfTheGivenClass) {
   const SubmapId door = things_[0];
   SubmapInfo& info = map_.FindMutable(door)->mutable_info();
   info.panoptic = Panoptic::kStuff;
@@ -277,7 +277,7 @@ TEST_F(EditListTest, ABackgroundIsSplitIntoThingsOfTheClassThatIsNamed) {
   EXPECT_TRUE(map_.info().pairs.Of(door, part.id).AreTwo());
 }
 
-TEST_F(EditListTest, PartsOfAThingHaveItsClassUnlessAnotherIsNamed) {
+TEST_F(EditListTest, PartsOfAThingKeepItsClassUnlessAnotherIsGiven) {
   EditList list;
   list.edits.push_back(On(things_[0], SplitAfterBlocks(1)));
   SplitEdit other = SplitAfterBlocks(1);
@@ -291,7 +291,7 @@ TEST_F(EditListTest, PartsOfAThingHaveItsClassUnlessAnotherIsNamed) {
   EXPECT_TRUE(map_.Find(results->at(1).created.at(0))->info().class_is_fixed);
 }
 
-TEST_F(EditListTest, AnObjectIsAbsentUntilSomebodySaysOtherwise) {
+TEST_F(EditListTest, AnObjectSetAbsentStaysSoUntilAnotherEdit) {
   EditList list;
   list.edits.push_back(On(things_[0], PresenceEdit{Presence::kAbsent}));
   ASSERT_TRUE(ApplyEdits(list, map_).ok());
@@ -301,7 +301,7 @@ TEST_F(EditListTest, AnObjectIsAbsentUntilSomebodySaysOtherwise) {
   EXPECT_FALSE(map_.Find(things_[0])->IsAbsent());
 }
 
-TEST_F(EditListTest, WhatIsLockedIsEditedAsEverAndWhatIsMadeOfItFollows) {
+TEST_F(EditListTest, ALockedObjectCanBeEditedAndItsPartsAreLocked) {
   const auto apply = [this](Edit edit) {
     auto results = ApplyEdits({.edits = {std::move(edit)}}, map_);
     EXPECT_TRUE(results.ok()) << results.status().ToString();
@@ -322,7 +322,7 @@ TEST_F(EditListTest, WhatIsLockedIsEditedAsEverAndWhatIsMadeOfItFollows) {
   EXPECT_EQ(map_.Find(things_[1]), nullptr);
 }
 
-TEST_F(EditListTest, RegionsAreKeptClearUpToSoManyAndLifted) {
+TEST_F(EditListTest, RegionsAreIgnoredUpToALimitAndRemoved) {
   const auto reason_of = [this](decltype(Edit::action) action) {
     return NameOfReason(
         ApplyEdits({.edits = {{.target = {}, .etag = {}, .action = std::move(action)}}}, map_).status());
@@ -341,7 +341,7 @@ TEST_F(EditListTest, RegionsAreKeptClearUpToSoManyAndLifted) {
   EXPECT_EQ(map_.info().kept_clear.list().size(), 64u);
 }
 
-TEST_F(EditListTest, ARegionIsClearedOfAllOrOfOneObject) {
+TEST_F(EditListTest, ARegionIsClearedOfAllObjectsOrOfOne) {
   const BoundingSphere everything{Eigen::Vector3d::Zero(), 100.0};
   EditList list;
   list.edits.push_back(On(things_[1], ClearEdit{everything, {}}));
@@ -359,7 +359,7 @@ TEST_F(EditListTest, ARegionIsClearedOfAllOrOfOneObject) {
   EXPECT_EQ(results->at(0).removed.size(), 3u);
 }
 
-/// Sum over all things of what was observed of each place.
+/// Sum of the observed weights of all things.
 double TotalWeight(const Map& map) {
   double total = 0;
   for (const auto& submap : map.submaps()) {

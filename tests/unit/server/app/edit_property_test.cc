@@ -44,17 +44,17 @@ constexpr Sequence kSequences[] = {{"MemoryPerFrameIds", EditedRoom::Store::kMem
                                    {"MemoryPersistentIds", EditedRoom::Store::kMemory, true, 5},
                                    {"SqlitePerFrameIds", EditedRoom::Store::kSqlite, false, 7},
                                    {"SqlitePersistentIds", EditedRoom::Store::kSqlite, true, 11}};
-/// The same as one of them, which makes the same map.
+/// Repeats one of the sequences; it makes the same map.
 constexpr Sequence kPagedSequences[] = {{"PerFrameIds", EditedRoom::Store::kPaged, false, 7}};
 
-/// Of all sequences together: a soak asks for more.
+/// Over all sequences; a soak test sets more.
 int NumPropertySteps() {
   constexpr int kInCi = 500;
   const char* text = std::getenv("DHPMAP_PROPERTY_STEPS");
   return text != nullptr ? std::max(1, std::atoi(text)) : kInCi;
 }
 
-/// More things make steps slow and say no more.
+/// More things make steps slow without testing more.
 constexpr std::size_t kMostThings = 12;
 
 enum class Ask {
@@ -81,7 +81,7 @@ enum class Ask {
 };
 constexpr std::uint32_t kNumAsks = static_cast<std::uint32_t>(Ask::kLift) + 1;
 
-/// Draws what is asked for. The same for a seed everywhere.
+/// Draws random edits; they depend on the seed only.
 class RandomEdits {
  public:
   explicit RandomEdits(unsigned seed) : random_(seed) {}
@@ -89,7 +89,7 @@ class RandomEdits {
   std::uint32_t Below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
   double Between(double low, double high) { return low + (high - low) * Below(1000) / 1000.0; }
 
-  /// One edit of an object of the map; nothing if it has none for it.
+  /// An edit of an object of the map; nothing if no object suits it.
   std::optional<Edit> Draw(Ask ask, const MapSnapshot& map) {
     const Submap* object = DrawObject(map, ask);
     if (object == nullptr) return std::nullopt;
@@ -127,7 +127,7 @@ class RandomEdits {
   }
 
  private:
-  /// Mostly a thing. Of those that the edit can change, if there is one.
+  /// Usually a thing, and one that the edit can change, if there is one.
   const Submap* DrawObject(const MapSnapshot& map, Ask ask) {
     std::vector<const Submap*> all, fitting;
     all.reserve(map.submaps().size());
@@ -143,7 +143,7 @@ class RandomEdits {
     const std::vector<const Submap*>& those = fitting.empty() ? all : fitting;
     return those.empty() ? nullptr : those[Below(static_cast<std::uint32_t>(those.size()))];
   }
-  /// One in the same place, if there is one.
+  /// An object at the same place, if there is one.
   SubmapId DrawPartner(const Submap& object, const MapSnapshot& map) {
     std::vector<SubmapId> all, fitting;
     all.reserve(map.submaps().size());
@@ -158,7 +158,7 @@ class RandomEdits {
     const std::vector<SubmapId>& those = fitting.empty() || Below(8) == 0 ? all : fitting;
     return those[Below(static_cast<std::uint32_t>(those.size()))];
   }
-  /// Braces, not arguments of a function, which may be drawn in any order.
+  /// Uses braces, because function arguments may be evaluated in any order.
   Eigen::Vector3d DrawVector(double low, double high) {
     return {Between(low, high), Between(low, high), Between(low, high)};
   }
@@ -188,7 +188,7 @@ class RandomEdits {
   std::mt19937 random_;
 };
 
-/// Makes the steps and looks after each whether the laws hold.
+/// Runs the steps and checks the laws after each.
 class EditProperty : public ::testing::TestWithParam<Sequence> {
  protected:
   void Run(int num_steps) {
@@ -312,15 +312,15 @@ class EditProperty : public ::testing::TestWithParam<Sequence> {
     }
   }
 
-  /// Whether refinement may have voxels afterwards that it has left alone so far, or of which it knew no more that they
-  /// are there. All other edits only take away from it, or divide what it has.
+  /// Whether refinement may later have voxels that it did not write before, or that it did not know to be there. All
+  /// other edits only remove voxels from it, or divide its voxels.
   static bool MayShareMore(const Edit& edit) {
     if (const auto* patch = ActionIf<PatchEdit>(edit)) return patch->patch.is_locked == false;
     if (const auto* presence = ActionIf<PresenceEdit>(edit)) return presence->presence == Presence::kPresent;
     return ActionIf<MergeEdit>(edit) != nullptr;
   }
 
-  /// What the edit promises of the number of voxels and observations.
+  /// Checks the numbers of voxels and observations that the edit guarantees.
   void ExpectCounts(const Edit& edit, const EditResult& result, const MapSnapshot& before, const MapSnapshot& after) {
     VoxelTotals expected = TotalsOf(before);
     const VoxelTotals found = TotalsOf(after);
@@ -347,7 +347,7 @@ class EditProperty : public ::testing::TestWithParam<Sequence> {
     EXPECT_EQ(found, expected) << "all others hand voxels on, or touch none";
   }
 
-  /// An edit with its undo leaves the map as it was; done again, as the edit had made it.
+  /// An undo restores the map before the edit, and a redo the map after it.
   void UndoAtOnce(std::int64_t revision, const SnapshotPtr& before, const SnapshotPtr& after) {
     Tell("  undone at once");
     const auto undone = room_.Undo({.edit = revision, .author = "anna"});
@@ -361,7 +361,7 @@ class EditProperty : public ::testing::TestWithParam<Sequence> {
     EXPECT_TRUE(AreSameButForNumbers(*after, *room_.Now(), rounding_)) << "the redo of edit " << revision;
   }
 
-  /// Since which nothing has changed the map, though the server may have begun again.
+  /// Undoes the last edit; nothing has changed the map since, but the server may have restarted.
   void UndoTheLast() {
     if (last_edit_.before == nullptr) return;
     Tell("undo of edit " + std::to_string(last_edit_.revision) + ", the last of all");
@@ -371,7 +371,7 @@ class EditProperty : public ::testing::TestWithParam<Sequence> {
     ++num_undone_;
   }
 
-  /// Of an author's last edits, or of any one: wholly or not at all.
+  /// Undoes an author's last edits, or any one edit, completely or not at all.
   void UndoSomething() {
     if (last_edit_.before != nullptr && room_.Now()->revision() == last_edit_.revision && edits_.Below(2) == 0) {
       UndoTheLast();
@@ -435,7 +435,7 @@ class EditProperty : public ::testing::TestWithParam<Sequence> {
     }
   }
 
-  /// All states are asked about; what is made anew to compare with takes much longer than a step.
+  /// Queries every state; the comparison with new caches takes long, so it is rare.
   void ExpectAnswers(int step) {
     constexpr int kEvery = 5, kFirst = 2;  // seldom just after a restart, when nothing is kept
     const std::shared_ptr<const MapView> live = room_.View();

@@ -24,7 +24,7 @@ namespace dhpmap::testing {
 
 inline std::string_view ReasonOf(const Status& status) { return status.reason().name(); }
 
-/// All of a map but revisions, the time of the last one, and the next id.
+/// A map without its revisions, the time of the last one, and the next id.
 inline std::string TextWithoutNumbers(const MapSnapshot& map) {
   static const std::regex kNumbers("(revision|next_submap_id|update_time_ns) [0-9]+");
   std::string text = std::regex_replace(testing::TextOf(map), kNumbers, "");
@@ -42,7 +42,7 @@ inline std::string TextWithoutNumbers(const MapSnapshot& map) {
   return text;
 }
 
-/// What differs, of two texts of maps: empty if nothing does.
+/// The difference of two maps' texts; empty if they are equal.
 inline std::string Difference(const std::string& a, const std::string& b) {
   std::istringstream lines_of_a(a), lines_of_b(b);
   std::string x, y, object;
@@ -58,7 +58,7 @@ inline std::string Difference(const std::string& a, const std::string& b) {
 
 enum class StoreKind { kMemory, kSqlite };
 
-/// A stored map with things that are rows of blocks along x, each at a y of its own.
+/// A stored map whose things are rows of blocks along x, each at its own y.
 class EditUndoTest : public ::testing::TestWithParam<StoreKind> {
  protected:
   EditUndoTest() { Open({}); }
@@ -114,7 +114,7 @@ class EditUndoTest : public ::testing::TestWithParam<StoreKind> {
   }
   [[nodiscard]] double block_m() const { return kBlockSide * map->info().config.voxel_size_m; }
 
-  /// Runs what an edit does, as a session does.
+  /// Runs an edit as an open map does.
   template <typename Change>
   Status Commit(const std::string& author, Change&& change) {
     const auto before = map->published();

@@ -19,7 +19,7 @@ using testing::ReasonOf;
 using testing::StoreKind;
 using testing::TextWithoutNumbers;
 
-TEST_P(EditUndoTest, EveryEditWithItsUndoLeavesTheMapAsItWas) {
+TEST_P(EditUndoTest, EveryEditAndItsUndoRestoreTheMap) {
   const auto edits = [this] {
     return std::vector<std::pair<std::string, std::vector<Edit>>>{
         {"move", {Move(1, 3)}},
@@ -130,7 +130,7 @@ TEST_P(EditUndoTest, RandomEditsUndosRedosAndRestartsAgreeWithAStackOfStates) {
   ExpectIntact();
 }
 
-TEST_P(EditUndoTest, WithFramesBetweenItIsDoneWhollyOrNotAtAll) {
+TEST_P(EditUndoTest, WithFramesInBetweenAnUndoIsCompleteOrRefused) {
   std::mt19937 random(23);
   int num_undone = 0, num_conflicts = 0;
   for (int step = 0; step < 150; ++step) {
@@ -181,7 +181,7 @@ TEST_P(EditUndoTest, WithFramesBetweenItIsDoneWhollyOrNotAtAll) {
   ExpectIntact();
 }
 
-TEST_P(EditUndoTest, AnEditOfARowMeetsOnlyLaterEditsOfTheSameField) {
+TEST_P(EditUndoTest, UndoingAFieldConflictsOnlyWithLaterEditsOfThatField) {
   ASSERT_TRUE(Do({Move(1, 2)}).ok());
   const std::int64_t moved = map->info().revision;
   ASSERT_TRUE(Do({Rename(1, "lamp")}, "ben").ok());
@@ -201,7 +201,7 @@ TEST_P(EditUndoTest, AnEditOfARowMeetsOnlyLaterEditsOfTheSameField) {
   EXPECT_EQ(metadata["edit"], std::to_string(moved));
 }
 
-TEST_P(EditUndoTest, ALockAndAKeptRegionMeetOnlyLaterEditsOfThemselves) {
+TEST_P(EditUndoTest, UndoingALockOrRegionConflictsOnlyWithLaterEditsOfIt) {
   ASSERT_TRUE(Do({Lock(1, true)}).ok());
   const std::int64_t locked = map->info().revision;
   ASSERT_TRUE(Do({Move(1, 2), Rename(1, "lamp")}, "ben").ok());
@@ -229,7 +229,7 @@ TEST_P(EditUndoTest, ALockAndAKeptRegionMeetOnlyLaterEditsOfThemselves) {
   ExpectIntact();
 }
 
-TEST_P(EditUndoTest, AnEditOfVoxelsMeetsWhateverWroteToItsTiles) {
+TEST_P(EditUndoTest, UndoingVoxelsConflictsWithAnyWriteToTheirTiles) {
   ASSERT_TRUE(Do({Split(1, 3)}).ok());
   const std::int64_t split = map->info().revision;
   Observe(SubmapId(4), {0, 3, 0});  // of another object
@@ -240,7 +240,7 @@ TEST_P(EditUndoTest, AnEditOfVoxelsMeetsWhateverWroteToItsTiles) {
   EXPECT_EQ(ReasonOf(conflict), "UNDO_CONFLICT") << conflict.ToString();
 }
 
-TEST_P(EditUndoTest, EachAuthorHasHisOwnStackAndANewEditEndsTheRedo) {
+TEST_P(EditUndoTest, EachAuthorHasAStackAndANewEditEndsTheRedo) {
   ASSERT_TRUE(Do({Rename(1, "a1")}, "anna").ok());
   ASSERT_TRUE(Do({Rename(2, "b1")}, "ben").ok());
   ASSERT_TRUE(Undo({.author = "anna"}).ok());
@@ -258,7 +258,7 @@ TEST_P(EditUndoTest, EachAuthorHasHisOwnStackAndANewEditEndsTheRedo) {
   EXPECT_EQ(ReasonOf(Undo({.edit = last})), "NOTHING_TO_UNDO");
 }
 
-TEST_P(EditUndoTest, WhatIsNoLongerKeptSaysSo) {
+TEST_P(EditUndoTest, AnUndoWithoutKeptDataIsRefusedWithAReason) {
   used_limits = {.max_histories = 2};
   BeginAnew(used_limits);
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(Do({Split(static_cast<std::uint32_t>(i + 1), 3)}).ok());
@@ -280,7 +280,7 @@ TEST_P(EditUndoTest, WhatIsNoLongerKeptSaysSo) {
   ExpectIntact();
 }
 
-TEST_P(EditUndoTest, WhatIsUndoneInAnotherOrderThanItWasMadeBreaksNothing) {
+TEST_P(EditUndoTest, UndoingInAnotherOrderBreaksNothing) {
   ASSERT_TRUE(Do({On(2, DeleteEdit{})}).ok());
   const std::int64_t first = map->info().revision;
   ASSERT_TRUE(Undo({}).ok());
@@ -293,7 +293,7 @@ TEST_P(EditUndoTest, WhatIsUndoneInAnotherOrderThanItWasMadeBreaksNothing) {
   ExpectIntact();
 }
 
-TEST_P(EditUndoTest, ALaterRemovalOfWhatComesBackIsSeen) {
+TEST_P(EditUndoTest, ALaterRemovalOfARestoredObjectConflicts) {
   ASSERT_TRUE(Do({On(2, DeleteEdit{})}).ok());
   const std::int64_t deleted = map->info().revision;
   ASSERT_TRUE(Commit("ben", [&](Map& edited) { return UndeleteSubmap(SubmapId(2), *store, edited); }).ok());

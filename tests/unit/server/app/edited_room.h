@@ -23,14 +23,14 @@
 #include "tests/support/scenes.h"
 #include "tests/unit/server/app/open_map_fixture.h"
 
-// A small room that is mapped, refined and edited by a real session, on a store that outlives it.
+// A small room, mapped, refined and edited through an open map, on a store that outlives it.
 
 namespace dhpmap::testing {
 
-/// How a frame of the room differs from another.
+/// The variable parts of a frame of the room.
 struct RoomView {
   int place = 0;                 ///< of kNumPlaces on an arc around the room
-  bool has_crate = true;         ///< one of the things, which somebody carries away now and then
+  bool has_crate = true;         ///< one of the things; it is sometimes carried away
   bool has_other_class = false;  ///< the network takes the ball for a crate
   auto operator<=>(const RoomView&) const = default;
 };
@@ -52,7 +52,7 @@ inline Scene CrowdedRoom(bool has_crate) {
   return room;
 }
 
-/// Frames of the room, each of which is rendered once.
+/// Frames of the room; each is rendered once.
 class RoomFrames {
  public:
   PanopticFrame Take(const RoomView& view, bool has_persistent_ids, std::int64_t stamp_ns) {
@@ -96,7 +96,7 @@ inline MapInfo EditedRoomInfo() {
   return info;
 }
 
-/// What an edit did that was made.
+/// The result of an edit that was made.
 struct MadeInRoom {
   std::int64_t revision = 0;
   std::vector<EditResult> results;
@@ -106,7 +106,7 @@ struct MadeInRoom {
 /// calls make the same map. Thread-compatible.
 class EditedRoom {
  public:
-  enum class Store { kMemory, kSqlite, kPaged };  ///< the last: SQLite's, of which as little as can be is in memory
+  enum class Store { kMemory, kSqlite, kPaged };  ///< kPaged: SQLite with as little as possible in memory
 
   explicit EditedRoom(Store kind) : kind_(kind) {
     if (kind_ == Store::kMemory) store_ = MakeMemoryStore();
@@ -119,11 +119,11 @@ class EditedRoom {
 
   [[nodiscard]] std::shared_ptr<const MapSnapshot> Now() const { return session_->View()->shared_snapshot(); }
   [[nodiscard]] std::shared_ptr<const MapView> View() const { return session_->View(); }
-  /// Of the server, for all its states until it restarts.
+  /// The server's cache for all states until it restarts.
   [[nodiscard]] SurfaceCache& surfaces() { return registry_->surfaces(); }
   [[nodiscard]] MapStore& store() { return *store_; }
 
-  /// Until it is seen: while surfaces are asked for, that may be after the answer.
+  /// Returns once the frame is visible; with surfaces in use that may be after the answer.
   Status Integrate(const RoomView& view, bool has_persistent_ids) {
     constexpr std::int64_t kFramePeriod_ns = 200'000'000;
     const auto before = Now();
@@ -152,7 +152,7 @@ class EditedRoom {
     DHPMAP_ASSIGN_OR_RETURN(made.revision, Edit(change, author));
     return made;
   }
-  /// Undoes or does again; the revision that has it.
+  /// Undoes or redoes; returns the new revision.
   Result<std::int64_t> Undo(UndoRequest request) {
     const std::string author = request.author;
     return Edit(registry_->UndoOf(std::move(request)), author);
@@ -161,13 +161,13 @@ class EditedRoom {
     return Edit(registry_->UndeletionOf(id), author);
   }
 
-  /// Takes the room back to a revision; the revision that has it.
+  /// Restores the room to a revision; returns the new revision.
   Result<std::int64_t> Restore(const RestoreRequest& request, const std::string& author) {
     DHPMAP_ASSIGN_OR_RETURN(auto change, registry_->RestorationOf("room", request));
     return Edit(std::move(change), author);
   }
 
-  /// The server ends and begins again, on the same database.
+  /// Restarts the server on the same database.
   void Restart() {
     session_ = nullptr;
     EXPECT_TRUE(registry_->Shutdown().ok());

@@ -27,14 +27,14 @@ TEST(Etag, OfASubmapNamesHistoryAndSubmapAndItsLastChangeAndEdit) {
   EXPECT_NE(EtagOf(RowWith(7, 12, 5), Info(1)), EtagOf(RowWith(8, 12, 5), Info(1)));
 }
 
-TEST(Etag, OfBeforeFramesStillHoldsForAnEdit) {
+TEST(Etag, FromBeforeFramesIsValidForAnEdit) {
   const std::string before = EtagOf(RowWith(7, 12, 5), Info(1));
   EXPECT_NE(EtagOf(RowWith(7, 20, 5), Info(1)), before) << "whoever keeps what was read must see that it changed";
   EXPECT_TRUE(CheckEtag(before, RowWith(7, 20, 5), Info(1)).ok());
   EXPECT_TRUE(CheckEtag("", RowWith(7, 20, 5), Info(1)).ok());
 }
 
-TEST(Etag, OfBeforeAnEditOrOfAnotherSubmapOrHistoryOrOfNoneAbortsAnEdit) {
+TEST(Etag, FromBeforeAnEditOrOfAnotherSubmapOrHistoryAbortsAnEdit) {
   const std::string known = EtagOf(RowWith(7, 12, 5), Info(1));
   const auto reason_of = [](const std::string& etag, const SubmapInfo& now, const MapInfo& map) {
     return CheckEtag(etag, now, map).reason();
@@ -47,7 +47,7 @@ TEST(Etag, OfBeforeAnEditOrOfAnotherSubmapOrHistoryOrOfNoneAbortsAnEdit) {
   }
 }
 
-TEST(Etag, OfAStateThatWasLostAbortsAnEditForEver) {
+TEST(Etag, OfALostStateAbortsEveryLaterEdit) {
   const std::string lost = EtagOf(RowWith(7, 12, 5), Info(1));
   EXPECT_EQ(CheckEtag(lost, RowWith(7, 10, 5), Info(1)).reason(), Reason("ETAG_MISMATCH")) << "as it is stored";
   const LostRevisions ranges = {{11, 1000}};
@@ -56,7 +56,7 @@ TEST(Etag, OfAStateThatWasLostAbortsAnEditForEver) {
   EXPECT_TRUE(CheckEtag(EtagOf(RowWith(7, 10, 5), Info(1)), RowWith(7, 1001, 5), Info(1), ranges).ok());
 }
 
-TEST(Etag, ARevisionThatWasLostIsOutOfRange) {
+TEST(Etag, ALostRevisionIsOutOfRange) {
   const LostRevisions ranges = {{11, 1000}};
   for (const std::int64_t revision : {0, 10, 1001}) {
     EXPECT_TRUE(CheckNotLost(revision, ranges, Info(1), "f").ok()) << revision;
@@ -81,7 +81,7 @@ TEST(Etag, OfAMapChangesWithItsTitleOnly) {
   EXPECT_NE(EtagOf(Info(8, "home")), before);
 }
 
-TEST(Etag, ThatIsNotThePresentOneAborts) {
+TEST(Etag, OfAnEarlierStateAborts) {
   EXPECT_TRUE(CheckEtag("", "a", "submap 7").ok());
   EXPECT_TRUE(CheckEtag("a", "a", "submap 7").ok());
   const Status status = CheckEtag("b", "a", "submap 7");

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 class FeedSeatsTest : public ::testing::Test {
  protected:
-  /// A request that notes what its feed is told.
+  /// A request that records the end of its feed.
   FeedRequest Request(const std::string& session = "", bool take_over = false) {
     return {
         .session = session, .take_over = take_over, .on_evicted = [this](const Status& why) { told.push_back(why); }};
@@ -24,7 +24,7 @@ class FeedSeatsTest : public ::testing::Test {
   std::vector<Status> told;
 };
 
-TEST_F(FeedSeatsTest, OneFeedsAndTheOthersAreTurnedAway) {
+TEST_F(FeedSeatsTest, OneStreamFeedsAndOthersAreRefused) {
   const auto first = *seats.Take(Request());
   EXPECT_TRUE(first->MayFeed().ok());
   const Status second = seats.Take(Request()).status();
@@ -38,7 +38,7 @@ TEST_F(FeedSeatsTest, OneFeedsAndTheOthersAreTurnedAway) {
   EXPECT_TRUE(told.empty()) << "nobody was evicted";
 }
 
-TEST_F(FeedSeatsTest, SessionsFeedSideBySideAndAStreamWithoutOneIsAlone) {
+TEST_F(FeedSeatsTest, SessionsFeedInParallelAndAnUnnamedStreamFeedsAlone) {
   const auto a = seats.Take(Request("a")), b = seats.Take(Request("b"));
   ASSERT_TRUE(a.ok() && b.ok());
   EXPECT_EQ(seats.Take(Request("")).status().reason(), Reason("MAP_IS_FED"));
@@ -57,7 +57,7 @@ TEST_F(FeedSeatsTest, SessionsFeedSideBySideAndAStreamWithoutOneIsAlone) {
   EXPECT_EQ(told.size(), 2u);
 }
 
-TEST_F(FeedSeatsTest, AnIdleSessionKeepsItsPlaceUntilAnotherNeedsIt) {
+TEST_F(FeedSeatsTest, AnIdleSessionIsReplacedOnlyWhenItsPlaceIsNeeded) {
   const auto a = *seats.Take(Request("a"));
   now += 10s;
   const auto b = *seats.Take(Request("b"));
@@ -71,7 +71,7 @@ TEST_F(FeedSeatsTest, AnIdleSessionKeepsItsPlaceUntilAnotherNeedsIt) {
   EXPECT_EQ(seats.Feeds().size(), 3u);
 }
 
-TEST_F(FeedSeatsTest, WhoTakesOverIsAloneAndTheOthersAreTold) {
+TEST_F(FeedSeatsTest, ATakeoverEndsAllOtherStreams) {
   const auto first = *seats.Take(Request("a"));
   const auto other = *seats.Take(Request("b"));
   first->OnFrameBegun();
@@ -89,7 +89,7 @@ TEST_F(FeedSeatsTest, WhoTakesOverIsAloneAndTheOthersAreTold) {
   EXPECT_EQ(seats.Feeds().size(), 1u);
 }
 
-TEST_F(FeedSeatsTest, ASessionIsEndedAndMayBeginAgain) {
+TEST_F(FeedSeatsTest, AnEndedSessionMayBeginAgain) {
   const auto a = *seats.Take(Request("a"));
   const auto b = *seats.Take(Request("b"));
   EXPECT_TRUE(seats.End("a").ok());
@@ -103,7 +103,7 @@ TEST_F(FeedSeatsTest, ASessionIsEndedAndMayBeginAgain) {
   EXPECT_TRUE(seats.Take(Request("a")).ok());
 }
 
-TEST_F(FeedSeatsTest, WhatIsCountedOfASessionOutlastsItsStreamsAndHasABound) {
+TEST_F(FeedSeatsTest, CountsOfASessionOutlastItsStreamsAndAreBounded) {
   const auto first = *seats.Take(Request("robot"));
   first->tally().OnMessage(100, 5);
   seats.Leave(first);
@@ -142,7 +142,7 @@ TEST(FeedTally, TheRateIsThatOfTheLastSeconds) {
   EXPECT_NEAR(tally.Counts(now).frames_per_s, 500, 20);
 }
 
-TEST(FeedTally, KeepsTheLastWarningAndCountsWhatCameAfter) {
+TEST(FeedTally, KeepsTheLastWarningAndCountsLaterFrames) {
   FeedTally tally;
   tally.OnChecked({});
   EXPECT_FALSE(tally.Counts(0).last_warning);
@@ -160,7 +160,7 @@ TEST(FeedTally, KeepsTheLastWarningAndCountsWhatCameAfter) {
   EXPECT_EQ(counts.num_plausible_since, 2);
 }
 
-TEST_F(FeedSeatsTest, AClientThatComesBackTakesThePlaceOfItsOwnOldConnection) {
+TEST_F(FeedSeatsTest, AReconnectedClientReplacesItsOldConnection) {
   const auto first = *seats.Take(Request("robot"));
   const auto other_robot = *seats.Take(Request("other"));
   EXPECT_TRUE(seats.Take(Request("robot")).ok());
@@ -173,7 +173,7 @@ TEST_F(FeedSeatsTest, AClientThatComesBackTakesThePlaceOfItsOwnOldConnection) {
   EXPECT_EQ(other.Take(Request("")).status().reason(), Reason("MAP_IS_FED")) << "no session is nobody's own";
 }
 
-TEST_F(FeedSeatsTest, AnIdleFeedMakesPlaceForAnother) {
+TEST_F(FeedSeatsTest, AnIdleFeedIsReplacedByAnother) {
   const auto first = *seats.Take(Request());
   now += 29s;
   EXPECT_FALSE(seats.Take(Request()).ok());
@@ -185,7 +185,7 @@ TEST_F(FeedSeatsTest, AnIdleFeedMakesPlaceForAnother) {
   EXPECT_EQ(first->MayFeed().reason(), Reason("FEED_IDLE"));
 }
 
-TEST_F(FeedSeatsTest, AFeedWithAFrameUnderWayIsNotIdle) {
+TEST_F(FeedSeatsTest, AFeedWithAFrameInFlightIsNotIdle) {
   const auto first = *seats.Take(Request());
   first->OnFrameBegun();
   first->OnFrameBegun();
@@ -201,7 +201,7 @@ TEST_F(FeedSeatsTest, AFeedWithAFrameUnderWayIsNotIdle) {
   EXPECT_TRUE(seats.Take(Request()).ok());
 }
 
-TEST_F(FeedSeatsTest, AnIdleFeedMakesPlaceForTheDeletionAndNobodyComesAfter) {
+TEST_F(FeedSeatsTest, ADeletionEndsIdleFeedsAndRefusesNewOnes) {
   const auto first = *seats.Take(Request());
   now += 30s;
   EXPECT_TRUE(seats.Close().ok());
@@ -215,7 +215,7 @@ TEST_F(FeedSeatsTest, AnIdleFeedMakesPlaceForTheDeletionAndNobodyComesAfter) {
   EXPECT_TRUE(seats.Take(Request()).ok());
 }
 
-TEST(Feed, KnowsTheNewestOfItsFramesThatAreStored) {
+TEST(Feed, KnowsItsNewestStoredFrame) {
   Feed feed({}, {});
   EXPECT_FALSE(feed.StoredUpTo(100).has_value()) << "those are other feeds' frames";
   feed.OnFused(101, 7);
@@ -228,7 +228,7 @@ TEST(Feed, KnowsTheNewestOfItsFramesThatAreStored) {
   EXPECT_EQ(feed.StoredUpTo(200), -2);
 }
 
-TEST(Feed, RemembersNoMoreFramesThanItMayAndNeverSaysTooMuch) {
+TEST(Feed, RemembersALimitedNumberOfFramesAndNeverOverstatesProgress) {
   Feed feed({}, {});
   const int num_frames = static_cast<int>(Feed::kMaxRemembered) + 500;
   for (int i = 1; i <= num_frames; ++i) feed.OnFused(i, i);
@@ -242,7 +242,7 @@ TEST(Feed, RemembersNoMoreFramesThanItMayAndNeverSaysTooMuch) {
   EXPECT_EQ(feed.StoredUpTo(num_frames), num_frames);
 }
 
-TEST_F(FeedSeatsTest, WhenTheMapMovesAwayAllAreToldWhereAndNobodyIsTaken) {
+TEST_F(FeedSeatsTest, WhenTheMapMovesAllFeedsEndWithTheOwnerAndNewOnesAreRefused) {
   const auto a = *seats.Take(Request("a")), b = *seats.Take(Request("b"));
   seats.MoveAway(Unavailable("moved").WithReason("NOT_OWNER").WithMetadata("owner", "two:2"));
   ASSERT_EQ(told.size(), 2u);

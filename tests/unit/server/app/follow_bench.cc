@@ -30,7 +30,7 @@ void Require(const Status& status) {
   std::exit(1);
 }
 
-/// Where the store has no fleet: asks every 50 ms, as one does.
+/// Polls every 50 ms, like a fleet, for a store without one.
 class PollingFleet final : public testing::LoneFleet {
  public:
   explicit PollingFleet(MapStore& store) : store_(store) {}
@@ -55,7 +55,7 @@ class PollingFleet final : public testing::LoneFleet {
   std::jthread thread_;
 };
 
-/// When what was committed has arrived.
+/// The arrival times of commits.
 class Arrivals {
  public:
   void Note(std::int64_t count) {

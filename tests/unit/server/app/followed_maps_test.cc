@@ -20,7 +20,7 @@ namespace {
 using testing::Eventually;
 using Names = std::vector<std::string>;
 
-/// Tells of commits when the test says so.
+/// The test reports commits to it.
 class ToldFleet final : public testing::LoneFleet {
  public:
   void OnChange(std::function<void(const std::string&, std::int64_t)> on_change) override {
@@ -45,7 +45,7 @@ class ToldFleet final : public testing::LoneFleet {
   Names followed_ DHPMAP_GUARDED_BY(mutex_);
 };
 
-/// A memory store that is away for a while, and counts reads.
+/// A memory store with outages, which counts reads.
 class AwayStore final : public testing::WrappedStore {
  public:
   Result<StateToRead> LoadToRead(const std::string& name) override {
@@ -109,7 +109,7 @@ class FollowedMapsTest : public ::testing::Test {
   std::unique_ptr<FollowedMaps> maps_;  // last: it uses the others
 };
 
-TEST_F(FollowedMapsTest, ACopyIsReadOnceAndGoesOnWhenTheFleetTellsOfACommit) {
+TEST_F(FollowedMapsTest, ACopyIsReadOnceAndUpdatedAfterEachReportedCommit) {
   Follow(LooksOnlyWhenTold());
   EXPECT_EQ(maps_->Find("room"), nullptr);
   EXPECT_EQ(RevisionOf("room"), 1);
@@ -124,7 +124,7 @@ TEST_F(FollowedMapsTest, ACopyIsReadOnceAndGoesOnWhenTheFleetTellsOfACommit) {
   EXPECT_EQ(maps_->num_maps(), 1u);
 }
 
-TEST_F(FollowedMapsTest, WhoHasSeenALaterStateIsNotAnsweredFromAnOlderOne) {
+TEST_F(FollowedMapsTest, AReaderOfALaterStateNeverGetsAnOlderOne) {
   Follow(LooksOnlyWhenTold());
   EXPECT_EQ(RevisionOf("room"), 1);
   ASSERT_TRUE(Eventually([&] { return store_.num_looks == 1; }));
@@ -146,13 +146,13 @@ TEST_F(FollowedMapsTest, AViewStaysAsItIs) {
   EXPECT_EQ((*maps_->ViewOf("room"))->snapshot().submaps().size(), 5u);
 }
 
-TEST_F(FollowedMapsTest, ACommitThatNobodyTellsOfIsFoundNevertheless) {
+TEST_F(FollowedMapsTest, AnUnreportedCommitIsFoundNevertheless) {
   Follow({.look_every = std::chrono::milliseconds(1)});
   EXPECT_EQ(RevisionOf("room"), 1);
   EXPECT_TRUE(Reaches("room", Commit("room")));
 }
 
-TEST_F(FollowedMapsTest, WhoAsksAtOnceReadsOnce) {
+TEST_F(FollowedMapsTest, ConcurrentReadersReadTheMapOnce) {
   Follow(LooksOnlyWhenTold());
   std::vector<std::thread> readers;
   for (int n = 0; n < 4; ++n) readers.emplace_back([this] { EXPECT_EQ(RevisionOf("room"), 1); });
@@ -160,7 +160,7 @@ TEST_F(FollowedMapsTest, WhoAsksAtOnceReadsOnce) {
   EXPECT_EQ(store_.num_loads, 1);
 }
 
-TEST_F(FollowedMapsTest, TheFleetIsToldWhatIsFollowedOrWatched) {
+TEST_F(FollowedMapsTest, TheFleetKnowsWhichMapsAreFollowedOrWatched) {
   watched_ = {"yard", "attic"};
   Follow(LooksOnlyWhenTold());
   maps_->NoteWatched();
@@ -185,13 +185,13 @@ TEST_F(FollowedMapsTest, EveryCommitIsPassedOnForWatchers) {
   EXPECT_EQ(maps_->ViewOf("yard").status().code(), StatusCode::kUnavailable);
 }
 
-TEST_F(FollowedMapsTest, AMapThatIsNotThereLeavesNothing) {
+TEST_F(FollowedMapsTest, AMissingMapLeavesNoCopy) {
   Follow(LooksOnlyWhenTold());
   EXPECT_EQ(maps_->ViewOf("attic").status().code(), StatusCode::kNotFound);
   EXPECT_EQ(maps_->num_maps(), 0u);
 }
 
-TEST_F(FollowedMapsTest, ADeletedMapIsGone) {
+TEST_F(FollowedMapsTest, ADeletedMapsCopyIsDropped) {
   Follow(LooksOnlyWhenTold());
   EXPECT_EQ(RevisionOf("room"), 1);
   ASSERT_TRUE(store_.DeleteMap("room").ok());
@@ -201,7 +201,7 @@ TEST_F(FollowedMapsTest, ADeletedMapIsGone) {
   EXPECT_TRUE(Eventually([&] { return maps_->bytes() == 0; }));
 }
 
-TEST_F(FollowedMapsTest, WhileTheStoreIsAwayACopyIsReadAndGoesOnWhenItIsBack) {
+TEST_F(FollowedMapsTest, ACopySurvivesAnOutageOfTheStoreAndCatchesUp) {
   Follow(LooksOnlyWhenTold());
   EXPECT_EQ(RevisionOf("room"), 1);
   ASSERT_TRUE(Eventually([&] { return store_.num_looks == 1; }));
@@ -216,7 +216,7 @@ TEST_F(FollowedMapsTest, WhileTheStoreIsAwayACopyIsReadAndGoesOnWhenItIsBack) {
   EXPECT_EQ(RevisionOf("yard"), 1);
 }
 
-TEST_F(FollowedMapsTest, CopiesAreBehindFromTheFirstCommitThatTheyLack) {
+TEST_F(FollowedMapsTest, ACopysLagStartsWithTheFirstMissingCommit) {
   constexpr std::chrono::seconds kLater{10};
   const auto behind_s = [this](std::chrono::seconds later) {
     return maps_->StateAt(FollowedMaps::Clock::now() + later).behind_s;
@@ -244,7 +244,7 @@ TEST_F(FollowedMapsTest, CopiesAreBehindFromTheFirstCommitThatTheyLack) {
   EXPECT_EQ(fleet_.Measure().num_copies, 0) << "the fleet may outlive the copies";
 }
 
-TEST_F(FollowedMapsTest, ThereAreNoMoreCopiesThanThereIsRoomFor) {
+TEST_F(FollowedMapsTest, TheNumberOfCopiesIsLimited) {
   FollowOptions few = LooksOnlyWhenTold();
   few.max_maps = 1;
   Follow(std::move(few));
@@ -254,7 +254,7 @@ TEST_F(FollowedMapsTest, ThereAreNoMoreCopiesThanThereIsRoomFor) {
   EXPECT_EQ(RevisionOf("yard"), 1);
 }
 
-TEST_F(FollowedMapsTest, ACopyForWhichThereIsNoMemoryIsNotKept) {
+TEST_F(FollowedMapsTest, ACopyThatDoesNotFitIntoMemoryIsDropped) {
   Follow(LooksOnlyWhenTold());
   EXPECT_EQ(RevisionOf("room"), 1);
   const std::size_t one = maps_->bytes();
@@ -271,7 +271,7 @@ TEST_F(FollowedMapsTest, ACopyForWhichThereIsNoMemoryIsNotKept) {
   EXPECT_EQ(RevisionOf("yard"), 1);
 }
 
-TEST_F(FollowedMapsTest, WhatNobodyReadsIsDropped) {
+TEST_F(FollowedMapsTest, UnusedCopiesAreDropped) {
   Follow({.idle_drop_s = std::chrono::duration<double>(60), .look_every = std::chrono::hours(1)});
   EXPECT_EQ(RevisionOf("room"), 1);
   maps_->DropIdle(FollowedMaps::Clock::now() + std::chrono::seconds(30));

@@ -19,7 +19,7 @@ std::shared_ptr<const GlbFile> FileOf(std::size_t num_bytes) {
   return std::make_shared<const GlbFile>(GlbFile{std::string(num_bytes, 'x'), "g"});
 }
 
-TEST(GlbCache, ForgetsWhatWasNotAskedForLongestAndKeepsToItsLimit) {
+TEST(GlbCache, EvictsTheLeastRecentlyUsedBeyondItsLimit) {
   GlbCache cache(100);
   const std::size_t before = CountOf(MemoryKind::kMeshing).now_bytes();
   for (const std::uint64_t name : {1u, 2u, 3u}) cache.Put(name, FileOf(30));
@@ -31,7 +31,7 @@ TEST(GlbCache, ForgetsWhatWasNotAskedForLongestAndKeepsToItsLimit) {
   EXPECT_EQ(CountOf(MemoryKind::kMeshing).now_bytes() - before, 90u);
 }
 
-TEST(GlbCache, LeavesWhatWouldTakeMostOfItAndWhatItHas) {
+TEST(GlbCache, CachesNeitherHugeFilesNorDuplicates) {
   GlbCache cache(100);
   cache.Put(1, FileOf(51));
   EXPECT_EQ(cache.Find(1), nullptr);
@@ -42,7 +42,7 @@ TEST(GlbCache, LeavesWhatWouldTakeMostOfItAndWhatItHas) {
   EXPECT_EQ(cache.bytes(), 50u);
 }
 
-/// Two balls far from each other, and a room that notes what was taken of it.
+/// Two distant balls, and a room that records its use.
 class KeptGlb : public ::testing::Test {
  protected:
   static Submap Ball(std::uint32_t id, double x_m) {
@@ -60,7 +60,7 @@ class KeptGlb : public ::testing::Test {
     for (Submap& submap : submaps) shared.push_back(std::make_shared<const Submap>(std::move(submap)));
     return std::make_shared<const MapSnapshot>(info, std::move(shared));
   }
-  /// Its etag; counts in num_made_ if it had to be made.
+  /// The file's etag; counts in num_made_ if the file had to be made.
   std::string EtagOfOne(const std::shared_ptr<const MapSnapshot>& map, std::uint32_t id) {
     const MeshRequest request{.submap = SubmapId(id), .format = MeshFormat::kGlb};
     auto file = ExportGlb(map, request, cache_, [this](std::size_t num_bytes) {
@@ -77,7 +77,7 @@ class KeptGlb : public ::testing::Test {
     return file->etag();
   }
 
-  /// Object 1, asked for by who has files of these etags, of a server that has just started.
+  /// Object 1, requested from a newly started server by a client with files of these etags.
   Result<MeshFile> ExportWith(const std::shared_ptr<const MapSnapshot>& map, std::string held_etags) {
     GlbCache none(0);
     const MeshRequest request{.submap = SubmapId(1), .format = MeshFormat::kGlb, .held_etags = std::move(held_etags)};
@@ -92,14 +92,14 @@ class KeptGlb : public ::testing::Test {
   std::string bytes_;  // of the file that came last
 };
 
-TEST_F(KeptGlb, OfTheSameStateTakesNeitherRoomNorTimeAgain) {
+TEST_F(KeptGlb, OfTheSameStateIsReused) {
   const auto map = MapOf({Ball(1, 0), Ball(2, 20)});
   const std::string etag = EtagOfOne(map, 1);
   EXPECT_EQ(EtagOfOne(map, 1), etag);
   EXPECT_EQ(num_made_, 1);
   EXPECT_NE(EtagOfOne(map, 2), etag);
   EXPECT_EQ(num_made_, 2);
-  // A later state that shares both, and has something new beside: only what is near that is made again.
+  // A later state that shares both and has a new object: only files near it are made again.
   std::vector<std::shared_ptr<const Submap>> submaps(map->submaps().begin(), map->submaps().end());
   submaps.push_back(std::make_shared<const Submap>(Ball(3, 20.2)));
   const auto later = std::make_shared<const MapSnapshot>(map->info(), std::move(submaps));
@@ -109,13 +109,13 @@ TEST_F(KeptGlb, OfTheSameStateTakesNeitherRoomNorTimeAgain) {
   EXPECT_EQ(num_made_, 3);
 }
 
-/// What the node of the file's one object says of it.
+/// The extras of the node of the file's only object.
 std::string ExtrasIn(const std::string& bytes) {
   const std::size_t begin = bytes.find(R"("extras":)") + 9;
   return bytes.substr(begin, bytes.find('}', begin) + 1 - begin);
 }
 
-TEST_F(KeptGlb, SaysOfAnObjectWhatItIsAndIsAnotherFileOnceThatChanges) {
+TEST_F(KeptGlb, DescribesTheObjectAndChangesWithItsDescription) {
   const auto map_with = [](const std::string& class_name, std::uint64_t num_seen) {
     Submap ball = Ball(1, 0);
     ball.mutable_info().panoptic = Panoptic::kThing;
@@ -137,7 +137,7 @@ TEST_F(KeptGlb, SaysOfAnObjectWhatItIsAndIsAnotherFileOnceThatChanges) {
   EXPECT_EQ(ExtrasIn(bytes_), R"({"instance_id":1})") << "unknown";
 }
 
-TEST_F(KeptGlb, OfAnUnchangedStateTheClientIsToldThatItHasItBeforeItIsMade) {
+TEST_F(KeptGlb, OfAnUnchangedStateIsNotModifiedWithoutMakingTheFile) {
   const std::string etag = EtagOfOne(MapOf({Ball(1, 0), Ball(2, 3)}), 1);
   const auto held = ExportWith(MapOf({Ball(1, 0), Ball(2, 3)}), "gaaaabbbb," + etag);
   ASSERT_TRUE(held.ok());
@@ -146,7 +146,7 @@ TEST_F(KeptGlb, OfAnUnchangedStateTheClientIsToldThatItHasItBeforeItIsMade) {
   EXPECT_EQ(num_made_, 1);
 }
 
-TEST_F(KeptGlb, OfAStateThatMayBeAnotherTheFileIsMadeAndComparedByItsBytes) {
+TEST_F(KeptGlb, OfAPossiblyChangedStateIsMadeAndComparedByItsBytes) {
   const std::string etag = EtagOfOne(MapOf({Ball(1, 0)}), 1);
   Submap renamed = Ball(1, 0);
   ++renamed.mutable_info().revision;
@@ -164,7 +164,7 @@ TEST_F(KeptGlb, OfAStateThatMayBeAnotherTheFileIsMadeAndComparedByItsBytes) {
   EXPECT_NE(other->etag(), etag);
 }
 
-TEST_F(KeptGlb, OfAnotherStateOfWhatIsNearItIsMade) {
+TEST_F(KeptGlb, OfChangedSurroundingsIsMadeAgain) {
   const std::string etag = EtagOfOne(MapOf({Ball(1, 0), Ball(2, 0.9)}), 1);
   Submap near = Ball(2, 0.9);
   ++near.mutable_info().revision;
@@ -172,7 +172,7 @@ TEST_F(KeptGlb, OfAnotherStateOfWhatIsNearItIsMade) {
   EXPECT_EQ(num_made_, 2);
 }
 
-TEST_F(KeptGlb, OfNoSuchSubmapOrWithoutRoomIsAnErrorThatKeepsNothing) {
+TEST_F(KeptGlb, OfAMissingSubmapOrWithoutMemoryIsAnErrorAndCachesNothing) {
   const MeshRequest none{.submap = SubmapId(7), .format = MeshFormat::kGlb};
   const auto room_for = [](std::size_t) { return Status::Ok(); };
   EXPECT_EQ(ExportGlb(MapOf({Ball(1, 0)}), none, cache_, room_for).status().reason(), Reason("SUBMAP_NOT_FOUND"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps that go to another process on the same store: given, or taken.
+// Maps that another process on the same store gets: handed over, or taken.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -23,7 +23,7 @@
 namespace dhpmap {
 namespace {
 
-/// Two servers, of which 1 is this one. Notes what is given up, and tells of losses when the test says so.
+/// Two servers; this is server 1. Records maps that are given up; the test reports losses.
 class NotedFleet final : public testing::LoneFleet {
  public:
   [[nodiscard]] FleetServer Me() const override { return servers.front(); }
@@ -49,7 +49,7 @@ class NotedFleet final : public testing::LoneFleet {
   bool takes = true;
 };
 
-/// A store in memory that several processes seem to share.
+/// A memory store that several processes seem to share.
 class SharedStore final : public testing::WrappedStore {
  public:
   [[nodiscard]] Fleet* fleet() override { return &noted; }
@@ -101,7 +101,7 @@ class HandingOverTest : public ::testing::Test {
   std::promise<Status> told_;
 };
 
-TEST_F(HandingOverTest, AMapIsStoredAndClosedBeforeItIsGivenAway) {
+TEST_F(HandingOverTest, AMapIsStoredAndClosedBeforeItIsHandedOver) {
   ASSERT_OK(Integrate(1).report);
   std::int64_t num_frames = -1;
   store_.noted.before_giving_up = [&](const std::string&) { num_frames = store_.GetMap("room")->info.num_frames; };
@@ -131,7 +131,7 @@ TEST_F(HandingOverTest, AServerThatTakesNoMapsGetsNone) {
   EXPECT_OK(Integrate(1).report);
 }
 
-TEST_F(HandingOverTest, AtTheEndAllMapsGoToTheOthersEvenly) {
+TEST_F(HandingOverTest, AtShutdownMapsAreDistributedEvenly) {
   for (const char* name : {"attic", "barn"}) {
     ASSERT_OK(registry_->Create(RoomInfo(name)));
     ASSERT_OK(registry_->GetOpen(name));
@@ -145,7 +145,7 @@ TEST_F(HandingOverTest, AtTheEndAllMapsGoToTheOthersEvenly) {
   EXPECT_OK(registry_->Shutdown());
 }
 
-TEST_F(HandingOverTest, AMapThatAnotherHasTakenIsForgottenAndItsStreamsEnd) {
+TEST_F(HandingOverTest, AMapTakenByAnotherServerIsDroppedAndItsStreamsEnd) {
   ASSERT_OK(Integrate(1).report);
   store_.refusal = Unavailable("taken").WithReason("NOT_OWNER").WithMetadata("owner", "two:2");
   const auto flushed = Wait<Status>([&](auto done) { room_->Flush(done); });
@@ -160,28 +160,28 @@ TEST_F(HandingOverTest, AMapThatAnotherHasTakenIsForgottenAndItsStreamsEnd) {
   EXPECT_EQ(again->View()->snapshot().info().num_frames, 0) << "as it is stored";
 }
 
-TEST_F(HandingOverTest, ALostMapIsLoadedAnewEvenIfNobodyHasClosedItYet) {
+TEST_F(HandingOverTest, ALostMapIsLoadedAgainEvenBeforeItWasClosed) {
   store_.noted.on_lost("room");
   ASSERT_OK_AND_ASSIGN(const auto again, registry_->GetOpen("room"));
   EXPECT_NE(again, room_);
   EXPECT_EQ(OwnerIn(Integrate(1).report.status()), "") << "the old one is closed";
 }
 
-TEST_F(HandingOverTest, WhatIsLostIsNoFailureOfTheEnd) {
+TEST_F(HandingOverTest, ALostMapIsNoErrorAtShutdown) {
   ASSERT_OK(Integrate(1).report);
   store_.refusal = Unavailable("taken").WithReason("NOT_OWNER");
   EXPECT_OK(registry_->Shutdown());
   EXPECT_FALSE(store_.noted.on_lost) << "nobody is told any more";
 }
 
-TEST_F(HandingOverTest, AnIdleMapIsGivenToWhoAsksFirst) {
+TEST_F(HandingOverTest, AnIdleMapGoesToTheFirstServerThatAsks) {
   room_->EndFeed(feed_);
   room_.reset();
   registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1));
   EXPECT_EQ(store_.noted.given, (std::vector<std::pair<std::string, std::int64_t>>{{"room", 0}}));
 }
 
-TEST(HandingOverAloneTest, AnOnlyServerHasNobodyToGiveMapsTo) {
+TEST(HandingOverAloneTest, ASingleServerCannotHandMapsOver) {
   const auto store = MakeMemoryStore();
   ASSERT_OK_AND_ASSIGN(const auto registry, MapRegistry::Open(*store, {}));
   EXPECT_EQ(registry->HandOver("room", 0).reason(), Reason("NO_FLEET"));

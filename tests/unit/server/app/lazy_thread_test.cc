@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(LazyThread, BeginsOnceAndNotBeforeItIsStarted) {
+TEST(LazyThread, RunsOnceAfterItsStart) {
   std::atomic<int> num_runs = 0;
   LazyThread thread;
   thread.Join();
@@ -23,7 +23,7 @@ TEST(LazyThread, BeginsOnceAndNotBeforeItIsStarted) {
   EXPECT_EQ(num_runs, 1);
 }
 
-TEST(LazyThread, BeginsAnewAfterItHasRetired) {
+TEST(LazyThread, RunsAgainAfterItHasRetired) {
   Mutex mutex;
   int num_runs = 0;
   LazyThread thread;

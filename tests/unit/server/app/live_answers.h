@@ -16,11 +16,11 @@
 #include "mapping/query/distance_query.h"
 #include "server/app/states/map_view.h"
 
-// What a server answers whose index, surfaces and near fields go from state to state, against one that has just begun.
+// Compares a server that reuses index, surfaces and fields between states with a newly started one.
 
 namespace dhpmap::testing {
 
-/// The same with tables that have no past: put together block by block.
+/// The same submap with a new table, built block by block.
 inline Submap RebuiltByBlock(const Submap& submap) {
   Submap rebuilt(submap.info(), 1);
   for (const BlockEntry& entry : submap.blocks().entries()) {
@@ -32,12 +32,12 @@ inline Submap RebuiltByBlock(const Submap& submap) {
   return rebuilt;
 }
 
-/// Asks about each state of a map, near its objects. The same points for a seed everywhere.
+/// Queries each state of a map near its objects. The points depend on the seed only.
 class LiveAnswers {
  public:
   explicit LiveAnswers(unsigned seed) : random_(seed) {}
 
-  /// Asks only, so that what is kept of this state is what the next one goes on from.
+  /// Queries without comparing, so that the next state starts from this state's caches.
   void Follow(const MapView& live, SurfaceCache& surfaces) {
     const std::vector<Eigen::Vector3d> points_m = DrawPoints(live.snapshot());
     std::vector<SurfaceDistance> answers(points_m.size());
@@ -45,7 +45,8 @@ class LiveAnswers {
     (void)live.lookup();
   }
 
-  /// Points and exact distances to the bit; near fields, some of which are made for this, within what they promise.
+  /// Points and exact distances are bit-identical; near fields, some of which are made for this, are within their
+  /// tolerance.
   ::testing::AssertionResult AreAsIfMadeAnew(const MapView& live, SurfaceCache& surfaces) {
     const MapView anew(live.shared_snapshot());
     SurfaceCache fresh(std::size_t{1} << 30);
@@ -70,7 +71,7 @@ class LiveAnswers {
     return ::testing::AssertionSuccess();
   }
 
-  /// The mesh of one object has as much, and reaches as far, as that of the same object put together anew.
+  /// The mesh of one object has the size and extent of that of the rebuilt object.
   ::testing::AssertionResult MeshIsAsIfRebuilt(const MapSnapshot& map) {
     const Submap& object = *map.submaps()[random_() % map.submaps().size()];
     const Mesh mesh = ExtractMesh(object, *map.info().label_set, MeshColoring::kSensor);
@@ -106,7 +107,7 @@ class LiveAnswers {
            a.weight == b.weight && a.color == b.color && a.class_confidence == b.class_confidence &&
            a.instance_confidence == b.instance_confidence;
   }
-  /// Both are of one state, so an object is the same row.
+  /// Both answers are from one state, so an object is the same row.
   static bool IsSame(const SurfaceDistance& a, const SurfaceDistance& b) {
     if (a.status != b.status || a.distance_m != b.distance_m || a.submap != b.submap) return false;
     return a.gradient == b.gradient && (a.submap == nullptr || a.nearest_m == b.nearest_m);
@@ -119,7 +120,7 @@ class LiveAnswers {
     return over_m >= -rounding_m && over_m <= most_m + rounding_m;
   }
 
-  /// Around objects, each as likely as any.
+  /// Around objects, each with equal probability.
   std::vector<Eigen::Vector3d> DrawPoints(const MapSnapshot& map) {
     std::vector<BoundingSphere> spheres;
     for (const auto& submap : map.submaps()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An edit that a store has made, though it could not say so: whoever asks next is served what is stored.
+// An edit that was stored although its answer was lost: later requests get the stored state.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -17,7 +17,7 @@
 namespace dhpmap {
 namespace {
 
-/// Makes an edit, and loses the answer, when it is told to.
+/// On request, makes an edit and loses the answer.
 class SilentStore final : public testing::WrappedStore {
  public:
   [[nodiscard]] Fleet* fleet() override { return &fleet_; }
@@ -42,7 +42,7 @@ Status EditIn(MapRegistry& registry) {
   });
 }
 
-TEST(LostAnswer, AnEditThatWasMadeUnheardIsServedAndEditsGoOnAfterIt) {
+TEST(LostAnswer, AnEditWithALostAnswerIsServedAndLaterEditsSucceed) {
   SilentStore store;
   ASSERT_OK_AND_ASSIGN(const auto registry, MapRegistry::Open(store, {.mapping = {.num_threads = 1}}));
   ASSERT_OK(registry->Create(RoomInfo("room")));

@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(PatchMap, RenamesAndIsARevision) {
+TEST(PatchMap, RenamesTheMapInANewRevision) {
   Map map{MapInfo{}};
   const auto before = map.Publish(0);
   ASSERT_TRUE(PatchMap(map, EtagOf(map.info()), {.display_name = "home"}).ok());
@@ -21,7 +21,7 @@ TEST(PatchMap, RenamesAndIsARevision) {
   EXPECT_EQ(after->revision(), before->revision() + 1);
 }
 
-TEST(PatchMap, ThatChangesNothingIsNoRevision) {
+TEST(PatchMap, WithoutEffectMakesNoRevision) {
   Map map{MapInfo{}};
   const auto before = map.Publish(0);
   EXPECT_TRUE(PatchMap(map, "", {}).ok());
@@ -29,7 +29,7 @@ TEST(PatchMap, ThatChangesNothingIsNoRevision) {
   EXPECT_EQ(map.Publish(0), before);
 }
 
-TEST(PatchMap, RefusesAnEtagThatIsNotThePresentOneAndATitleTooLong) {
+TEST(PatchMap, RefusesAnOldEtagAndATooLongTitle) {
   Map map{MapInfo{}};
   const auto before = map.Publish(0);
   EXPECT_EQ(PatchMap(map, "x", {.display_name = "home"}).code(), StatusCode::kAborted);
@@ -39,7 +39,7 @@ TEST(PatchMap, RefusesAnEtagThatIsNotThePresentOneAndATitleTooLong) {
   EXPECT_EQ(map.Publish(0), before);
 }
 
-/// A log, and how often it is read.
+/// An edit log that counts reads.
 class RenameLogStore final : public testing::WrappedStore {
  public:
   void Add(EditSummary summary) {
@@ -66,7 +66,7 @@ class RenameLogStore final : public testing::WrappedStore {
   std::int64_t last_ = 0;
 };
 
-TEST(CheckMapNotEditedSince, SeesWhatRenamesTheMapAndItsUndo) {
+TEST(CheckMapNotEditedSince, SeesRenamesOfTheMapAndTheirUndo) {
   RenameLogStore store;
   const auto reason = [&store](std::int64_t revision) {
     return std::string(CheckMapNotEditedSince(revision, store, "m").reason().name());
@@ -87,8 +87,8 @@ TEST(CheckMapNotEditedSince, SeesWhatRenamesTheMapAndItsUndo) {
   EXPECT_EQ(reason(6), "");
 }
 
-/// The map's writer waits for it.
-TEST(CheckMapNotEditedSince, LooksAnEditUpOnceHoweverOftenItWasUndone) {
+/// The map's writer waits for this lookup.
+TEST(CheckMapNotEditedSince, LooksUpAnEditOnceHoweverOftenItWasUndone) {
   RenameLogStore store;
   for (int i = 0; i < 10; ++i) store.Add({.steps = {{EditAction::kMove, SubmapId(1)}}});
   for (int i = 0; i < 190; ++i) {

@@ -14,11 +14,11 @@
 #include "mapping/refinement/refine_map.h"
 #include "tests/support/map_equality.h"
 
-// What holds of every state of a map, and of two states of which one came from the other.
+// Laws of every state of a map, and of two states of which one follows from the other.
 
 namespace dhpmap::testing {
 
-/// Voxels of which anything is known, and how often they were observed.
+/// Numbers of known voxels and of their observations.
 struct VoxelTotals {
   std::int64_t num_known = 0;
   std::uint64_t num_observations = 0;
@@ -97,7 +97,7 @@ inline ::testing::AssertionResult SpheresHoldWhatWasObserved(const MapSnapshot& 
   return ::testing::AssertionSuccess();
 }
 
-/// By ascending id, none of which is beyond the next.
+/// Ids ascend, and all are below the next id.
 inline ::testing::AssertionResult IdsAreInOrder(const MapSnapshot& map) {
   for (std::size_t s = 0; s < map.submaps().size(); ++s) {
     const SubmapId id = map.submaps()[s]->id();
@@ -107,7 +107,7 @@ inline ::testing::AssertionResult IdsAreInOrder(const MapSnapshot& map) {
   return ::testing::AssertionSuccess();
 }
 
-/// How much of a voxel a store may round off.
+/// The rounding of voxels in a store.
 struct StoreRounding {
   double distance_m = 0;
   double weight_share = 0;
@@ -125,7 +125,7 @@ inline std::shared_ptr<const MapSnapshot> WithoutEdits(const MapSnapshot& map) {
                                              VacatedSpace{map.vacated()});
 }
 
-/// Whether two states are the same but for revisions (so etags, too) and the next id.
+/// Whether two states are equal up to revisions, and thus etags, and the next id.
 inline ::testing::AssertionResult AreSameButForNumbers(const MapSnapshot& a, const MapSnapshot& b,
                                                        const StoreRounding& rounding) {
   const MapInfo &x = a.info(), &y = b.info();
@@ -149,7 +149,7 @@ inline ::testing::AssertionResult AreSameButForNumbers(const MapSnapshot& a, con
   return same;
 }
 
-/// Whether each of the map's submaps has been edited in the same revision, too.
+/// The same, and the submaps' edited revisions are equal, too.
 inline ::testing::AssertionResult AreSame(const MapSnapshot& a, const MapSnapshot& b, const StoreRounding& rounding) {
   if (a.revision() != b.revision()) {
     return ::testing::AssertionFailure() << "revisions " << a.revision() << " and " << b.revision();
@@ -165,7 +165,7 @@ inline ::testing::AssertionResult AreSame(const MapSnapshot& a, const MapSnapsho
   return same;
 }
 
-/// Whether what somebody has locked is as it was, but for when it was last seen.
+/// Whether locked objects are unchanged, except for their last-seen time.
 inline ::testing::AssertionResult LockedAreLeftAlone(const MapSnapshot& before, const MapSnapshot& after) {
   for (const auto& submap : before.submaps()) {
     if (!submap->info().is_locked) continue;
@@ -180,7 +180,7 @@ inline ::testing::AssertionResult LockedAreLeftAlone(const MapSnapshot& before, 
   return ::testing::AssertionSuccess();
 }
 
-/// Whether what somebody has moved or cloned has the same voxels as before.
+/// Whether moved and cloned objects have the same voxels as before.
 inline ::testing::AssertionResult PlacedHaveTheirVoxels(const MapSnapshot& before, const MapSnapshot& after) {
   for (const auto& submap : before.submaps()) {
     if (!submap->info().is_placed) continue;

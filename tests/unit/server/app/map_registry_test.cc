@@ -27,7 +27,7 @@ MapInfo InfoOf(const std::string& name) {
   return info;
 }
 
-/// A store in memory that counts loads, refuses what it is told to, and can be made to take its time over one map.
+/// A memory store that counts loads, and on request refuses calls or delays one map.
 class MoodyStore final : public testing::WrappedStore {
  public:
   Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
@@ -78,7 +78,7 @@ class MapRegistryTest : public ::testing::Test {
   std::unique_ptr<MapRegistry> registry_ = Open();
 };
 
-TEST_F(MapRegistryTest, AMapIsStoredWhenItsCreationIsAnswered) {
+TEST_F(MapRegistryTest, AMapIsStoredBeforeItsCreationIsAnswered) {
   const auto made = registry_->Create(InfoOf("room"));
   ASSERT_TRUE(made.ok()) << made.status().message();
   EXPECT_EQ(made->info.create_time_ns, 1'600'000'000'000'000'000);
@@ -98,7 +98,7 @@ TEST_F(MapRegistryTest, ANameMustBeValidAndFree) {
   EXPECT_TRUE(registry_->Create(InfoOf("room")).ok());
 }
 
-TEST_F(MapRegistryTest, AMapThatCannotBeStoredIsNotThere) {
+TEST_F(MapRegistryTest, AMapThatCannotBeStoredDoesNotExist) {
   store_.refusal = ResourceExhausted("the disk is full");
   EXPECT_EQ(registry_->Create(InfoOf("room")).status().code(), StatusCode::kResourceExhausted);
   EXPECT_EQ(registry_->Get("room").status().code(), StatusCode::kNotFound);
@@ -107,7 +107,7 @@ TEST_F(MapRegistryTest, AMapThatCannotBeStoredIsNotThere) {
   EXPECT_TRUE(registry_->Create(InfoOf("room")).ok());
 }
 
-TEST_F(MapRegistryTest, RevisionsThatACrashHasLostAreThoseOfTheMapAndNotOfTheNextOfItsName) {
+TEST_F(MapRegistryTest, RevisionsLostInACrashBelongToThatMapOnly) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   const LostRevisions lost = {{2, 500}, {701, 800}};
   store_.lost_revisions["room"] = lost;
@@ -121,7 +121,7 @@ TEST_F(MapRegistryTest, RevisionsThatACrashHasLostAreThoseOfTheMapAndNotOfTheNex
   EXPECT_EQ(*registry_->LostRevisionsOf("room"), LostRevisions());
 }
 
-TEST_F(MapRegistryTest, MapsThatAreNotThereAreNotFound) {
+TEST_F(MapRegistryTest, MissingMapsAreNotFound) {
   EXPECT_EQ(registry_->Get("room").status().code(), StatusCode::kNotFound);
   EXPECT_EQ(registry_->GetOpen("room").status().code(), StatusCode::kNotFound);
   EXPECT_EQ(registry_->DiskBytes("room").status().code(), StatusCode::kNotFound);
@@ -129,7 +129,7 @@ TEST_F(MapRegistryTest, MapsThatAreNotThereAreNotFound) {
   EXPECT_EQ(store_.num_loads, 0);
 }
 
-/// An edit that makes a thing: takes a writer, and a commit.
+/// Creates a thing by an edit, which needs a writer and a commit.
 void EditOnce(OpenMap& session) {
   std::promise<Status> done;
   session.Edit([](Map& map) -> Result<SubmapId> { return map.Create({.panoptic = Panoptic::kThing}).id(); },
@@ -137,7 +137,7 @@ void EditOnce(OpenMap& session) {
   ASSERT_TRUE(done.get_future().get().ok());
 }
 
-TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileNobodyWrites) {
+TEST_F(MapRegistryTest, OpenMapsShareFusionThreadsAndIdleOnesHaveNone) {
   OpenMapOptions options{.mapping = {.num_threads = 5}, .now_ns = [] { return std::int64_t{1}; }};
   const auto registry = std::move(MapRegistry::Open(store_, std::move(options))).value();
   constexpr std::size_t kMaps = 12, kThreadsAMap = 2;  // its writer, and what commits
@@ -150,7 +150,7 @@ TEST_F(MapRegistryTest, OpenMapsShareTheThreadsOfFusionAndHaveNoneWhileNobodyWri
   }
   EXPECT_EQ(registry->OpenMaps().size(), kMaps);
   EXPECT_EQ(testing::NumThreadsSince(before), 0u);
-  for (int round = 0; round < 2; ++round) {  // whoever has retired comes back
+  for (int round = 0; round < 2; ++round) {  // retired threads start again
     for (const auto& session : registry->OpenMaps()) EditOnce(*session);
     EXPECT_LE(testing::NumThreadsSince(before), kMaps * kThreadsAMap);
     EXPECT_TRUE(testing::Eventually([&] { return testing::NumThreadsSince(before) == 0; })) << "nobody writes any more";
@@ -171,7 +171,7 @@ TEST_F(MapRegistryTest, ListsByNameWithoutLoading) {
   EXPECT_EQ(store_.num_loads, 0);
 }
 
-TEST_F(MapRegistryTest, AStartAsksNothingOfTheMaps) {
+TEST_F(MapRegistryTest, AStartReadsNoMaps) {
   for (const char* name : {"hall", "attic"}) ASSERT_TRUE(registry_->Create(InfoOf(name)).ok());
   store_.num_asked = store_.num_lists = 0;
   registry_ = Open();
@@ -184,7 +184,7 @@ TEST_F(MapRegistryTest, AStartAsksNothingOfTheMaps) {
   EXPECT_EQ(store_.num_lists + store_.num_asked, 0);
 }
 
-TEST_F(MapRegistryTest, WhatTheStoreHasSaidOfAClosedMapIsAskedOnce) {
+TEST_F(MapRegistryTest, TheStoreIsAskedOnceAboutAClosedMap) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   registry_ = Open();
   store_.num_asked = 0;
@@ -208,7 +208,7 @@ TEST_F(MapRegistryTest, ListsPagesByName) {
   EXPECT_EQ(names("d", 9), "");
 }
 
-TEST_F(MapRegistryTest, NamesThatAreNotThereLeaveNothingBehindAndAreSuggested) {
+TEST_F(MapRegistryTest, MissingNamesLeaveNothingBehindAndGetSuggestions) {
   ASSERT_TRUE(registry_->Create(InfoOf("kitchen")).ok());
   for (const Status& status : {registry_->Get("kitchn").status(), registry_->GetOpen("kitchn").status(),
                                registry_->Delete("kitchn").status()}) {
@@ -228,7 +228,7 @@ TEST_F(MapRegistryTest, SummariesFollowTheOpenMap) {
   EXPECT_EQ(registry_->List("", 10)->at(0).num_submaps, 2);
 }
 
-TEST_F(MapRegistryTest, AMapThatNobodyUsesIsClosedAndOpenedAgainWithoutNotice) {
+TEST_F(MapRegistryTest, AnUnusedMapIsClosedAndReopenedTransparently) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   EditOnce(**registry_->GetOpen("room"));
   const auto view = *registry_->ViewOf("room");
@@ -246,7 +246,7 @@ TEST_F(MapRegistryTest, AMapThatNobodyUsesIsClosedAndOpenedAgainWithoutNotice) {
   EXPECT_EQ(store_.num_loads, num_loads + 1);
 }
 
-TEST_F(MapRegistryTest, WhatWasMadeForQueriesGoesWithTheMap) {
+TEST_F(MapRegistryTest, CachesForQueriesAreDroppedWithTheMap) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   const auto ask = [this] {
     const auto view = *registry_->ViewOf("room");
@@ -266,7 +266,7 @@ TEST_F(MapRegistryTest, WhatWasMadeForQueriesGoesWithTheMap) {
   EXPECT_EQ(registry_->surface_bytes(), 0u);
 }
 
-TEST_F(MapRegistryTest, AMapThatIsHeldOrFedStaysOpen) {
+TEST_F(MapRegistryTest, AMapInUseStaysOpen) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   auto session = *registry_->GetOpen("room");
   registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1));
@@ -284,7 +284,7 @@ TEST_F(MapRegistryTest, ClosesIdleMapsByItself) {
   EXPECT_TRUE(testing::Eventually([&] { return registry->OpenMaps().empty(); }));
 }
 
-TEST_F(MapRegistryTest, AMapIsLoadedOnceForAllWhoAskAtOnce) {
+TEST_F(MapRegistryTest, AMapIsLoadedOnceForConcurrentCallers) {
   ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
   std::vector<std::future<std::shared_ptr<OpenMap>>> sessions;
   const auto open = [this] { return registry_->GetOpen("slow").value(); };
@@ -297,7 +297,7 @@ TEST_F(MapRegistryTest, AMapIsLoadedOnceForAllWhoAskAtOnce) {
   EXPECT_EQ(registry_->OpenMaps().size(), 1u);
 }
 
-TEST_F(MapRegistryTest, LoadingOneMapKeepsNobodyWaitingForAnother) {
+TEST_F(MapRegistryTest, LoadingOneMapDoesNotDelayAnother) {
   ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   auto slow = std::async(std::launch::async, [this] { return registry_->GetOpen("slow").status(); });
@@ -311,7 +311,7 @@ TEST_F(MapRegistryTest, LoadingOneMapKeepsNobodyWaitingForAnother) {
   EXPECT_TRUE(slow.get().ok());
 }
 
-TEST_F(MapRegistryTest, AMapDeletedWhileItIsLoadedIsGoneAfterwards) {
+TEST_F(MapRegistryTest, AMapDeletedDuringItsLoadIsGoneAfterwards) {
   ASSERT_TRUE(registry_->Create(InfoOf("slow")).ok());
   auto open = std::async(std::launch::async, [this] { return registry_->GetOpen("slow").status(); });
   store_.is_loading_slow.get_future().wait();
@@ -323,7 +323,7 @@ TEST_F(MapRegistryTest, AMapDeletedWhileItIsLoadedIsGoneAfterwards) {
   EXPECT_TRUE(registry_->OpenMaps().empty());
 }
 
-TEST_F(MapRegistryTest, ALoadThatFailedIsTriedAgain) {
+TEST_F(MapRegistryTest, AFailedLoadIsTriedAgain) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   store_.refusal = Unavailable("the disk is away");
   EXPECT_EQ(registry_->GetOpen("room").status().code(), StatusCode::kUnavailable);
@@ -332,7 +332,7 @@ TEST_F(MapRegistryTest, ALoadThatFailedIsTriedAgain) {
   EXPECT_TRUE(registry_->GetOpen("room").ok());
 }
 
-TEST_F(MapRegistryTest, DeletingAnswersTheLastRevisionAndAFailureLeavesTheMap) {
+TEST_F(MapRegistryTest, DeletingReturnsTheLastRevisionAndAFailureKeepsTheMap) {
   for (const bool is_open : {false, true}) {
     const auto made = registry_->Create(InfoOf("room"));
     ASSERT_TRUE(made.ok());
@@ -351,7 +351,7 @@ TEST_F(MapRegistryTest, DeletingAnswersTheLastRevisionAndAFailureLeavesTheMap) {
   }
 }
 
-TEST_F(MapRegistryTest, ShutDownItOpensNothingMore) {
+TEST_F(MapRegistryTest, AfterAShutdownNoMapIsOpened) {
   ASSERT_TRUE(registry_->Create(InfoOf("room")).ok());
   ASSERT_TRUE(registry_->Create(InfoOf("hall")).ok());
   ASSERT_TRUE(registry_->GetOpen("room").ok());

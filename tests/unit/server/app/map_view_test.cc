@@ -35,7 +35,7 @@ std::shared_ptr<const MapSnapshot> Made() {
   return map.Publish(0);
 }
 
-TEST(MapView, KeepsTheSpheresThatItWasAskedForWhoeverAsks) {
+TEST(MapView, CachesRequestedSpheresForAllReaders) {
   const MapView view(Made());
   const auto expect_all = [&view] {
     for (int round = 0; round < 3; ++round) {
@@ -53,7 +53,7 @@ TEST(MapView, KeepsTheSpheresThatItWasAskedForWhoeverAsks) {
   for (std::thread& thread : threads) thread.join();
 }
 
-TEST(MapView, GoesOnWithTheIndexOfTheViewBefore) {
+TEST(MapView, ReusesTheIndexOfThePreviousView) {
   Map map(ViewedInfo());
   for (int i = 0; i < 12; ++i) {
     SubmapInfo info;
@@ -79,7 +79,7 @@ TEST(MapView, GoesOnWithTheIndexOfTheViewBefore) {
   }
 }
 
-/// States of a map, and what is asked to prepare them.
+/// States of a map, and requests to prepare them.
 class VisibleSnapshotTest : public ::testing::Test {
  protected:
   std::shared_ptr<const MapView> Next() {
@@ -97,7 +97,7 @@ class VisibleSnapshotTest : public ::testing::Test {
       });
 };
 
-TEST_F(VisibleSnapshotTest, AStateIsSeenOnceItIsPrepared) {
+TEST_F(VisibleSnapshotTest, AStateIsVisibleOnceItIsPrepared) {
   const auto second = Next();
   shown_->ShowPrepared(second);
   EXPECT_EQ(shown_->Get(), first_);
@@ -108,7 +108,7 @@ TEST_F(VisibleSnapshotTest, AStateIsSeenOnceItIsPrepared) {
   EXPECT_FALSE(shown_->IsWaiting());
 }
 
-TEST_F(VisibleSnapshotTest, AStateThatWaitsIsSeenWhenTheNextOneComesAndNoneComesBack) {
+TEST_F(VisibleSnapshotTest, AWaitingStateIsShownWhenTheNextArrivesAndNoneReturns) {
   const auto second = Next(), third = Next(), fourth = Next();
   shown_->ShowPrepared(second);
   shown_->ShowPrepared(third);
@@ -123,7 +123,7 @@ TEST_F(VisibleSnapshotTest, AStateThatWaitsIsSeenWhenTheNextOneComesAndNoneComes
   EXPECT_FALSE(shown_->IsWaiting());
 }
 
-TEST_F(VisibleSnapshotTest, WhatNobodyPreparesIsSeenAtOnce) {
+TEST_F(VisibleSnapshotTest, AStateWithoutPreparationIsVisibleAtOnce) {
   const auto second = Next(), third = Next();
   VisibleSnapshot::Prepare refuse = [](const VisibleSnapshot::State&, const std::function<void()>&) { return false; };
   VisibleSnapshot::Prepare fail = [](const VisibleSnapshot::State&, const std::function<void()>&) -> bool {
@@ -138,7 +138,7 @@ TEST_F(VisibleSnapshotTest, WhatNobodyPreparesIsSeenAtOnce) {
   }
 }
 
-TEST_F(VisibleSnapshotTest, WhatIsPreparedAfterTheEndOfTheMapIsNoHarm) {
+TEST_F(VisibleSnapshotTest, APreparationThatEndsAfterTheMapIsHarmless) {
   shown_->ShowPrepared(Next());
   shown_.reset();
   ready_[0]();

@@ -20,7 +20,7 @@
 namespace dhpmap {
 namespace {
 
-/// One level of a plane in one block, of which submap `id` owns the columns x in [begin, end).
+/// A plane in one block; submap `id` owns the columns x in [begin, end).
 std::shared_ptr<const Submap> Strip(std::uint32_t id, int begin, int end) {
   Submap submap = testing::SolidSubmap([](const Eigen::Vector3d& p) { return p.z() - 0.2; }, {0, 0, 0}, {0, 0, 0});
   submap.mutable_info().id = SubmapId(id);
@@ -39,7 +39,7 @@ std::shared_ptr<const MapSnapshot> MapOfTwoStrips() {
       info, std::vector<std::shared_ptr<const Submap>>{Strip(1, 0, 4), Strip(2, 4, 8)});
 }
 
-/// All of a file, which is as long as it said.
+/// The whole file; checks its announced size.
 std::string ReadAll(Result<MeshFile> file) {
   EXPECT_TRUE(file.ok());
   std::string bytes, piece;
@@ -48,7 +48,7 @@ std::string ReadAll(Result<MeshFile> file) {
   return bytes;
 }
 
-/// Of the PLY file; -1 if it cannot be had.
+/// Faces of the PLY file; -1 after an error.
 int NumFaces(std::optional<SubmapId> submap) {
   auto file = ExportMesh(MapOfTwoStrips(), {.submap = submap, .coloring = MeshColoring::kClass});
   if (!file.ok()) return -1;
@@ -66,7 +66,7 @@ TEST(ExportMesh, OneSubmapIsMeshedByItself) {
   EXPECT_EQ(NumFaces(SubmapId(3)), -1);
 }
 
-TEST(ExportMesh, WritesTheFormatThatIsAskedFor) {
+TEST(ExportMesh, WritesTheRequestedFormat) {
   EXPECT_EQ(ReadAll(ExportMesh(MapOfTwoStrips(), {.format = MeshFormat::kPly})).substr(0, 4), "ply\n");
   auto pcd = ExportMesh(MapOfTwoStrips(), {.format = MeshFormat::kPcd});
   ASSERT_TRUE(pcd.ok());
@@ -85,13 +85,13 @@ TEST(ExportMesh, EqualsTheFileOfTheWholeMesh) {
   EXPECT_TRUE(ReadAll(ExportMesh(map, as_pcd)) == *WritePcd(mesh));
 }
 
-TEST(ExportMesh, EndsWhenNobodyWaits) {
+TEST(ExportMesh, EndsWhenCancelled) {
   std::stop_source stop;
   stop.request_stop();
   EXPECT_EQ(ExportMesh(MapOfTwoStrips(), {}, stop.get_token()).status().code(), StatusCode::kCancelled);
 }
 
-TEST(BytesOfExport, GrowsWithTheBlocksThatAreMeshed) {
+TEST(BytesOfExport, GrowsWithTheMeshedBlocks) {
   const auto map = MapOfTwoStrips();
   const std::size_t one = BytesOfExport(*map, {.submap = SubmapId(1)});
   EXPECT_GT(one, sizeof(TsdfBlock) / 10);
@@ -100,7 +100,7 @@ TEST(BytesOfExport, GrowsWithTheBlocksThatAreMeshed) {
   EXPECT_EQ(BytesOfExport(*map, {.submap = SubmapId(3)}), 0u);
 }
 
-TEST(ExportMesh, WhatAFileKeepsIsCountedAndItsRoomOfTheBudgetNotedAsCountedElsewhere) {
+TEST(ExportMesh, MemoryOfAFileIsCountedOnceAcrossBothCounts) {
   const auto meshing = [] { return CountOf(MemoryKind::kMeshing).now_bytes(); };
   const auto reserved = [] { return CountOf(MemoryKind::kReserved).now_bytes(); };
   const auto map = MapOfTwoStrips();

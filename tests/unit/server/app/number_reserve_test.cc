@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// Keeps the marks that it is asked to, and can be made slow or full.
+/// Stores marks; the test can make it slow or full.
 class MarkStore final : public testing::WrappedStore {
  public:
   Status Reserve(const std::string& name, const NumberMarks& marks) override {
@@ -39,7 +39,7 @@ MapInfo InfoAt(std::int64_t revision, std::uint32_t next_submap_id) {
 
 constexpr NumberMarks kStored{1, SubmapId(1)};
 
-TEST(NumberReserve, WhatIsStoredNeedsNoReservation) {
+TEST(NumberReserve, StoredNumbersNeedNoReservation) {
   MarkStore store;
   NumberReserve numbers(store, kStored);
   EXPECT_TRUE(numbers.Cover(InfoAt(1, 1)).ok());
@@ -47,7 +47,7 @@ TEST(NumberReserve, WhatIsStoredNeedsNoReservation) {
   EXPECT_TRUE(store.reserved.empty());
 }
 
-TEST(NumberReserve, NothingIsCoveredThatTheStoreDoesNotHave) {
+TEST(NumberReserve, OnlyReservedNumbersAreCovered) {
   MarkStore store;
   NumberReserve numbers(store, kStored);
   for (std::int64_t revision = 2; revision < 5000; ++revision) {
@@ -60,7 +60,7 @@ TEST(NumberReserve, NothingIsCoveredThatTheStoreDoesNotHave) {
   EXPECT_LT(store.reserved.size(), 50u) << "each costs a sync";
 }
 
-TEST(NumberReserve, GoingAheadInTimeLeavesNothingToWaitFor) {
+TEST(NumberReserve, AnEarlyReservationAvoidsWaiting) {
   MarkStore store;
   NumberReserve numbers(store, kStored);
   ASSERT_TRUE(numbers.Cover(InfoAt(2, 2)).ok());
@@ -76,7 +76,7 @@ TEST(NumberReserve, GoingAheadInTimeLeavesNothingToWaitFor) {
   }
 }
 
-TEST(NumberReserve, WhatIsReservedIsCoveredWhileTheStoreIsBusyWithMore) {
+TEST(NumberReserve, ReservedNumbersAreCoveredDuringALongReservation) {
   MarkStore store;
   NumberReserve numbers(store, kStored);
   ASSERT_TRUE(numbers.Cover(InfoAt(2, 2)).ok());
@@ -93,7 +93,7 @@ TEST(NumberReserve, WhatIsReservedIsCoveredWhileTheStoreIsBusyWithMore) {
   EXPECT_EQ(store.reserved.back().next_submap_id, SubmapId(kUsed + NumberReserve::kIdsAStep));
 }
 
-TEST(NumberReserve, WhatCannotBeReservedIsNotCovered) {
+TEST(NumberReserve, NumbersThatCannotBeReservedAreNotCovered) {
   MarkStore store;
   NumberReserve numbers(store, kStored);
   store.is_full = true;
@@ -106,7 +106,7 @@ TEST(NumberReserve, WhatCannotBeReservedIsNotCovered) {
   EXPECT_TRUE(numbers.Cover(InfoAt(2, 1)).ok());
 }
 
-TEST(NumberReserve, IsGivenBackAtTheEnd) {
+TEST(NumberReserve, IsReleasedAtTheEnd) {
   MarkStore store;
   NumberReserve numbers(store, kStored);
   numbers.Release(InfoAt(1, 1));

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
 
-/// Far from the map's origin: a table that is 0.6 m high, a crate on it, a small box on that, a crate beside them.
+/// Far from the origin: a table 0.6 m high, a crate on it, a small box on the crate, and another crate nearby.
 class ObjectMotionTest : public ::testing::Test {
  protected:
   ObjectMotionTest() {
@@ -51,14 +51,14 @@ class ObjectMotionTest : public ::testing::Test {
   const SubmapId table_{1}, crate_{2}, box_{3}, beside_{4};
 };
 
-TEST_F(ObjectMotionTest, WhatStandsOnItIsFoundThroughWhatStandsBetween) {
+TEST_F(ObjectMotionTest, SupportedObjectsAreFoundThroughObjectsInBetween) {
   EXPECT_EQ(SupportedBy(table_, map_), (std::vector<SubmapId>{crate_, box_}));
   EXPECT_EQ(SupportedBy(crate_, map_), std::vector<SubmapId>{box_});
   EXPECT_TRUE(SupportedBy(box_, map_).empty());
   EXPECT_TRUE(SupportedBy(beside_, map_).empty());
 }
 
-TEST_F(ObjectMotionTest, ATurnLeavesTheMiddleWhereItIs) {
+TEST_F(ObjectMotionTest, ATurnKeepsTheCentreInPlace) {
   const UprightBox before = BoxOf(table_), on_it = BoxOf(crate_);
   const auto made = Make(table_, TurnEdit{kQuarter});
   ASSERT_TRUE(made.ok()) << made.status().ToString();
@@ -68,7 +68,7 @@ TEST_F(ObjectMotionTest, ATurnLeavesTheMiddleWhereItIs) {
   EXPECT_EQ(BoxOf(crate_).center_m, on_it.center_m);
 }
 
-TEST_F(ObjectMotionTest, ATurnWithWhatStandsOnItTurnsAllAboutItsMiddle) {
+TEST_F(ObjectMotionTest, ATurnRotatesSupportedObjectsAboutTheSameCentre) {
   const Eigen::Vector3d before = Away(BoxOf(table_), BoxOf(crate_)), of_box = Away(BoxOf(crate_), BoxOf(box_));
   const auto made = Make(table_, TurnEdit{kQuarter, true});
   ASSERT_TRUE(made.ok()) << made.status().ToString();
@@ -78,7 +78,7 @@ TEST_F(ObjectMotionTest, ATurnWithWhatStandsOnItTurnsAllAboutItsMiddle) {
   EXPECT_LT((Away(BoxOf(crate_), BoxOf(box_)) - Eigen::Vector3d(-of_box.y(), of_box.x(), of_box.z())).norm(), 1e-9);
 }
 
-TEST_F(ObjectMotionTest, AShiftGoesByTheMapsAxesHoweverTheObjectIsTurned) {
+TEST_F(ObjectMotionTest, AShiftFollowsTheMapsAxes) {
   ASSERT_TRUE(Make(table_, TurnEdit{0.3, true}).ok());
   const UprightBox table = BoxOf(table_), crate = BoxOf(crate_);
   const Eigen::Vector3d offset_m(0.5, -2, 0.1);
@@ -87,7 +87,7 @@ TEST_F(ObjectMotionTest, AShiftGoesByTheMapsAxesHoweverTheObjectIsTurned) {
   EXPECT_LT((Away(crate, BoxOf(crate_)) - offset_m).norm(), 1e-9);
 }
 
-TEST_F(ObjectMotionTest, AMoveTakesAlongWhatStandsOnIt) {
+TEST_F(ObjectMotionTest, AMoveIncludesSupportedObjects) {
   const UprightBox crate = BoxOf(crate_), box = BoxOf(box_);
   const Transform T(Eigen::Translation3d(1, 0, 0));
   const auto made = Make(crate_, PatchEdit{{.T_map_submap = T}, true});
@@ -97,7 +97,7 @@ TEST_F(ObjectMotionTest, AMoveTakesAlongWhatStandsOnIt) {
   EXPECT_LT((Away(box, BoxOf(box_)) - T.translation()).norm(), 1e-9);
 }
 
-TEST_F(ObjectMotionTest, WhatIsPlacedStandsOnTheMiddleOfTheUpperSide) {
+TEST_F(ObjectMotionTest, APlacedObjectStandsOnTheCentreOfTheUpperSide) {
   const auto made = Make(beside_, PlaceEdit{.support = table_});
   ASSERT_TRUE(made.ok()) << made.status().ToString();
   EXPECT_LT((BoxOf(beside_).center_m - BoxOf(table_).center_m).head<2>().norm(), 0.03);
@@ -105,7 +105,7 @@ TEST_F(ObjectMotionTest, WhatIsPlacedStandsOnTheMiddleOfTheUpperSide) {
   EXPECT_EQ(SupportedBy(table_, map_), (std::vector<SubmapId>{crate_, box_, beside_}));
 }
 
-TEST_F(ObjectMotionTest, WhatIsPlacedAtAPointStandsOnWhatIsThere) {
+TEST_F(ObjectMotionTest, AnObjectPlacedAtAPointStandsOnTheSurfaceThere) {
   const auto made = Make(crate_, PlaceEdit{.support = beside_, .point_m = Eigen::Vector2d(4.25, 2.1)});
   ASSERT_TRUE(made.ok()) << made.status().ToString();
   EXPECT_EQ(made->at(0).changed, std::vector<SubmapId>{crate_});
@@ -114,7 +114,7 @@ TEST_F(ObjectMotionTest, WhatIsPlacedAtAPointStandsOnWhatIsThere) {
   EXPECT_NEAR(LowOf(crate_), 0.4, 0.02);
 }
 
-TEST_F(ObjectMotionTest, LaterEditsOfAListStandOnWhatEarlierOnesMade) {
+TEST_F(ObjectMotionTest, LaterPlacementsOfAListUseTheResultsOfEarlierEdits) {
   EditList list;
   list.edits.push_back({.target = beside_, .etag = {}, .action = CloneEdit{}});
   list.edits.push_back({.target = EarlierResult{0}, .etag = {}, .action = PlaceEdit{.support = beside_}});
@@ -131,21 +131,21 @@ TEST_F(ObjectMotionTest, LaterEditsOfAListStandOnWhatEarlierOnesMade) {
       (std::vector<EditStep>{{EditAction::kClone, beside_}, {EditAction::kMove, copy}, {EditAction::kMove, beside_}}));
 }
 
-TEST_F(ObjectMotionTest, NothingIsPlacedOnItselfOrOnWhatGoesAlong) {
+TEST_F(ObjectMotionTest, AnObjectCannotBePlacedOnItselfOrOnWhatMovesWithIt) {
   EXPECT_EQ(Make(table_, PlaceEdit{.support = table_}).status().reason().name(), "SUPPORT_MOVES");
   const PlaceEdit on_crate{.support = crate_, .point_m = std::nullopt, .include_supported = true};
   EXPECT_EQ(Make(table_, on_crate).status().reason().name(), "SUPPORT_MOVES");
   EXPECT_EQ(Make(table_, PlaceEdit{.support = SubmapId(99)}).status().code(), StatusCode::kNotFound);
 }
 
-TEST_F(ObjectMotionTest, WhereTheSupportHasNoSurfaceNothingIsPlaced) {
+TEST_F(ObjectMotionTest, APlacementNeedsASurfaceOfTheSupport) {
   const auto made = Make(crate_, PlaceEdit{.support = beside_, .point_m = Eigen::Vector2d(7, 7)});
   EXPECT_EQ(made.status().reason().name(), "NO_SURFACE");
   ASSERT_EQ(made.status().violations().size(), 1u);
   EXPECT_EQ(made.status().violations()[0].field, "edits[0].place.support");
 }
 
-TEST_F(ObjectMotionTest, WhatHasNoSurfaceIsNeitherTurnedNorPlaced) {
+TEST_F(ObjectMotionTest, AnObjectWithoutASurfaceCannotBeTurnedOrPlaced) {
   const SubmapId empty = testing::AddThing(map_).id();
   EXPECT_EQ(Make(empty, TurnEdit{1}).status().reason().name(), "NO_SURFACE");
   EXPECT_EQ(Make(empty, PlaceEdit{.support = table_}).status().reason().name(), "NO_SURFACE");

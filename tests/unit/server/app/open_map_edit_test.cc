@@ -24,7 +24,7 @@ namespace {
 
 using testing::FailingStore;
 
-TEST_F(OpenMapTest, TooManyEditsAreRefusedNotQueued) {
+TEST_F(OpenMapTest, EditsBeyondTheQueueAreRefused) {
   Open({.max_pending_edits = 2});
   std::promise<void> go;
   std::vector<std::future<Status>> answers;
@@ -61,7 +61,7 @@ TEST_F(OpenMapTest, AnEditThatThrowsIsAnswered) {
   EXPECT_TRUE(Integrate(0).report.ok());
 }
 
-TEST_F(OpenMapTest, AnEditThatFailsHalfWayChangesNothing) {
+TEST_F(OpenMapTest, AnEditThatFailsMidwayChangesNothing) {
   Open({});
   for (int i = 0; i < 2; ++i) ASSERT_TRUE(Integrate(i).report.ok());
   const auto outcome = Wait<Result<EditOutcome>>([&](auto done) {
@@ -107,7 +107,7 @@ TEST_F(OpenMapTest, AnEditThatCannotBeStoredDidNotHappen) {
   EXPECT_EQ(last->view->snapshot().submaps().size(), num_submaps + 1);
   EXPECT_EQ((*store->LoadMap("room"))->submaps().size(), num_submaps + 1);
 
-  // Frames that are fused but not stored are not lost with an edit, and mapping goes on.
+  // A failed edit loses no fused frame, and mapping continues.
   ASSERT_TRUE(Integrate(3).report.ok());
   disk.set_full(true);
   EXPECT_FALSE(clone().ok());
@@ -120,7 +120,7 @@ TEST_F(OpenMapTest, AnEditThatCannotBeStoredDidNotHappen) {
   EXPECT_EQ((*store->LoadMap("room"))->info().num_frames, 5);
 }
 
-TEST_F(OpenMapTest, AnEditIsSeenOnlyOnceItIsStored) {
+TEST_F(OpenMapTest, AnEditIsVisibleOnlyOnceItIsStored) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);
@@ -142,7 +142,7 @@ TEST_F(OpenMapTest, AnEditIsSeenOnlyOnceItIsStored) {
   disk.set_before_commit({});
 }
 
-/// Of the first object, a metre up.
+/// Moves the first object up by a metre.
 Result<SubmapId> Lift(Map& map) {
   Transform T_map_submap = map.Find(SubmapId(1))->info().T_map_submap;
   T_map_submap.translation().z() += 1;
@@ -150,7 +150,7 @@ Result<SubmapId> Lift(Map& map) {
   return SubmapId(1);
 }
 
-TEST_F(OpenMapTest, AMoveIsAnsweredBeforeWhatItLeftIsStored) {
+TEST_F(OpenMapTest, AMoveIsAnsweredBeforeItsVacatedSpaceIsStored) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);
@@ -177,7 +177,7 @@ TEST_F(OpenMapTest, AMoveIsAnsweredBeforeWhatItLeftIsStored) {
   disk.set_before_commit({});
 }
 
-TEST_F(OpenMapTest, WhatTheMovesOfAListHaveLeftIsStoredAndUndone) {
+TEST_F(OpenMapTest, VacatedSpaceOfAListsMovesIsStoredAndUndone) {
   const testing::TempDir folder;
   store = OpenSqliteStore((folder.path() / "maps.db").string()).value();
   Open({});
@@ -186,7 +186,7 @@ TEST_F(OpenMapTest, WhatTheMovesOfAListHaveLeftIsStoredAndUndone) {
     EditRequest request{.change = std::move(change), .source = {.author = "anna"}};
     return Wait<Result<EditOutcome>>([&](auto done) { session->Edit(std::move(request), done); });
   };
-  // What the two have left lies in the same tiles.
+  // The vacated spaces of both are in the same tiles.
   const auto list = [](Map& map) -> Result<EditMade> {
     SubmapPatch patch;
     patch.pose_change = PoseChange{.translation_m = {3.0, 0.0, 0.0}};
@@ -225,7 +225,7 @@ class WaitingStore final : public testing::WrappedStore {
   std::shared_future<void> may_go_ = go.get_future().share();
 };
 
-TEST_F(OpenMapTest, AMoveThatIsAskedForAgainTakesNoFrameItsTime) {
+TEST_F(OpenMapTest, ARepeatedMoveDelaysNoFrame) {
   auto waiting = std::make_unique<WaitingStore>();
   WaitingStore& disk = *waiting;
   store = std::move(waiting);
@@ -251,7 +251,7 @@ TEST_F(OpenMapTest, AMoveThatIsAskedForAgainTakesNoFrameItsTime) {
       << "two frames make a commit, whatever came between";
 }
 
-TEST_F(OpenMapTest, NoEditComesBeforeWhatAMoveHasLeftIsStored) {
+TEST_F(OpenMapTest, NoEditOvertakesTheVacatedSpaceOfAMove) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);

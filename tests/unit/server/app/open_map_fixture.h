@@ -36,7 +36,7 @@ inline MapInfo RoomInfo(const std::string& name) {
   return info;
 }
 
-/// The answer of a call that gives it to a callback.
+/// The answer of a call that takes a callback.
 template <typename Answer, typename Call>
 Answer Wait(Call&& call) {
   auto promise = std::make_shared<std::promise<Answer>>();

@@ -23,7 +23,7 @@ namespace {
 
 using testing::FailingStore;
 
-TEST_F(OpenMapTest, FramesAreSeenWithTheirBatch) {
+TEST_F(OpenMapTest, FramesBecomeVisibleWithTheirBatch) {
   Open({.publish = {.frames = 3, .delay_s = 1000}, .commit = {.delay_s = 1000}});
   for (int i = 0; i < 2; ++i) EXPECT_EQ(Integrate(i).revision, 1);
   EXPECT_EQ(session->View()->snapshot().info().num_frames, 0);
@@ -35,7 +35,7 @@ TEST_F(OpenMapTest, FramesAreSeenWithTheirBatch) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 4);
 }
 
-/// A session whose states are prepared when the test says so.
+/// An open map whose states the test prepares.
 class PreparedSessionTest : public OpenMapTest {
  protected:
   void Open(OpenMapOptions options) {
@@ -55,7 +55,7 @@ class PreparedSessionTest : public OpenMapTest {
   std::function<void()> ready_;
 };
 
-TEST_F(PreparedSessionTest, FramesAreSeenOncePreparedAndStoredOnceSeen) {
+TEST_F(PreparedSessionTest, FramesAreVisibleOncePreparedAndStoredOnceVisible) {
   Open({.publish = {.frames = 1, .delay_s = 1000}, .commit = {.frames = 1, .delay_s = 1000}});
   ASSERT_TRUE(Integrate(0).report.ok());
   EXPECT_EQ(NumSeen(), 0);
@@ -70,21 +70,21 @@ TEST_F(PreparedSessionTest, FramesAreSeenOncePreparedAndStoredOnceSeen) {
   EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 2; }));
 }
 
-TEST_F(PreparedSessionTest, WhatIsNeverPreparedIsSeenAndStoredAfterAWhile) {
+TEST_F(PreparedSessionTest, AnUnpreparedStateIsShownAndStoredAfterADelay) {
   Open({.publish = {.frames = 1000, .delay_s = 0.01}, .commit = {.frames = 1000, .delay_s = 0.02}});
   ASSERT_TRUE(Integrate(0).report.ok());
   EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 1; }));
   EXPECT_EQ(NumSeen(), 1);
 }
 
-TEST_F(PreparedSessionTest, WhatIsToBeStoredSoonIsNotKeptForThatWhichIsSeldomSeen) {
+TEST_F(PreparedSessionTest, ALongPublishDelayDoesNotDelayCommits) {
   Open({.publish = {.frames = 1, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 0.02}});
   ASSERT_TRUE(Integrate(0).report.ok());
   EXPECT_TRUE(testing::Eventually([&] { return NumStored() == 1; }));
   EXPECT_EQ(NumSeen(), 1);
 }
 
-TEST_F(PreparedSessionTest, AFlushAndAnEditWaitForNobody) {
+TEST_F(PreparedSessionTest, AFlushAndAnEditDoNotWaitForPreparation) {
   Open({.publish = {.frames = 1, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 1000}});
   ASSERT_TRUE(Integrate(0).report.ok());
   EXPECT_EQ(NumSeen(), 0);
@@ -103,7 +103,7 @@ TEST_F(PreparedSessionTest, AFlushAndAnEditWaitForNobody) {
   EXPECT_EQ(session->View(), edited->view) << "what was prepared is older";
 }
 
-TEST_F(OpenMapTest, FramesAreSeenAndStoredAfterAWhileEvenIfNoMoreCome) {
+TEST_F(OpenMapTest, FramesAreShownAndStoredAfterADelayWithoutFurtherFrames) {
   Open({.publish = {.frames = 1000, .delay_s = 0.01}, .commit = {.frames = 1000, .delay_s = 0.02}});
   Integrate(0);
   EXPECT_TRUE(testing::Eventually([&] { return store->GetMap("room")->info.num_frames == 1; }));
@@ -120,7 +120,7 @@ TEST_F(OpenMapTest, ABadFrameChangesNothing) {
   EXPECT_EQ(session->View()->snapshot().revision(), 1);
 }
 
-TEST_F(OpenMapTest, StopStoresWhatIsFusedAndRefusesTheRest) {
+TEST_F(OpenMapTest, StopStoresFusedFramesAndRefusesTheRest) {
   Open({.publish = {.frames = 1000, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 1000}});
   Integrate(0);
   EXPECT_TRUE(registry->Shutdown().ok());
@@ -130,7 +130,7 @@ TEST_F(OpenMapTest, StopStoresWhatIsFusedAndRefusesTheRest) {
   EXPECT_EQ(session->BeginFeed().status().code(), StatusCode::kUnavailable);
 }
 
-TEST_F(OpenMapTest, AFeedIsToldWhatIsStoredAndNoMore) {
+TEST_F(OpenMapTest, AFeedLearnsExactlyWhatIsStored) {
   auto failing = std::make_unique<FailingStore>();
   FailingStore& disk = *failing;
   store = std::move(failing);
@@ -191,13 +191,13 @@ TEST_F(OpenMapTest, ASessionIsRememberedWithItsFrames) {
   feed = *session->BeginFeed();
   for (int i = 0; i < 2; ++i) EXPECT_FALSE(integrate(1).is_duplicate) << "without a session nothing is";
 
-  // Neither the end of mapping nor an edit forgets it.
+  // Neither FinishMapping nor an edit drops it.
   EXPECT_TRUE(Wait<Result<FinishOutcome>>([&](auto done) { session->Finish(done); }).ok());
   EXPECT_EQ(store->GetMap("room")->info.sessions.LastOf("robot"), 9);
   EXPECT_EQ(session->BeginFeed({.session = "no good"}).status().reason(), Reason("BAD_SESSION"));
 }
 
-TEST_F(OpenMapTest, FinishingEndsWhenNobodyWaitsForIt) {
+TEST_F(OpenMapTest, FinishingEndsWhenCancelled) {
   Open({.publish = {.delay_s = 1000}, .commit = {.delay_s = 1000}});
   Integrate(0);
   std::stop_source gone;
@@ -208,7 +208,7 @@ TEST_F(OpenMapTest, FinishingEndsWhenNobodyWaitsForIt) {
   EXPECT_TRUE(Wait<Result<FinishOutcome>>([&](auto done) { session->Finish(done); }).ok());
 }
 
-TEST_F(OpenMapTest, FinishingThatWaitsForItsTurnEndsAtOnceWhenNobodyWaitsForIt) {
+TEST_F(OpenMapTest, QueuedFinishingEndsAtOnceWhenCancelled) {
   Open({.publish = {.delay_s = 1000}, .commit = {.delay_s = 1000}});
   Integrate(0);
   auto busy = std::make_unique<testing::BusyWriter>(*session);
@@ -236,7 +236,7 @@ TEST_F(OpenMapTest, FinishingThatWaitsForItsTurnEndsAtOnceWhenNobodyWaitsForIt) 
   }
 }
 
-TEST_F(OpenMapTest, TheEndKeepsNobodyWaitingWhileAFinishingIsCancelled) {
+TEST_F(OpenMapTest, AStopDoesNotWaitForACancelledFinishing) {
   Open({.max_pending_edits = 1});
   auto busy = std::make_unique<testing::BusyWriter>(*session);
   std::stop_source gone;
@@ -257,14 +257,14 @@ TEST_F(OpenMapTest, TheEndKeepsNobodyWaitingWhileAFinishingIsCancelled) {
     return refusal.reason() != Reason("TOO_MANY_EDITS");
   }));
   busy = nullptr;
-  // The writer lets go of the job, whose callback still runs: nothing is left to do then.
+  // The writer drops the job while its callback still runs: nothing is left to do then.
   auto asked = std::async(std::launch::async, [&] { return testing::Eventually([&] { return session->IsAtRest(); }); });
   EXPECT_EQ(asked.wait_for(testing::kPatience), std::future_status::ready) << "the writer holds its lock";
   may_go.set_value();
   EXPECT_TRUE(asked.get());
 }
 
-TEST_F(OpenMapTest, TheEndDoesNotWaitForARefinement) {
+TEST_F(OpenMapTest, AStopDoesNotWaitForARefinement) {
   const auto slots = std::make_shared<RefinementSlots>(1);
   Open({.mapping = {.refinement_slots = slots}});
   Integrate(0);
@@ -276,7 +276,7 @@ TEST_F(OpenMapTest, TheEndDoesNotWaitForARefinement) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 1) << "what was fused is stored";
 }
 
-TEST_F(OpenMapTest, FramesThatWaitWhenAnotherTakesOverAreRefused) {
+TEST_F(OpenMapTest, QueuedFramesAreRefusedAfterATakeover) {
   Open({});
   auto busy = std::make_unique<testing::BusyWriter>(*session);
   Status told;
@@ -308,7 +308,7 @@ TEST_F(OpenMapTest, AMapWhoseFeederIsIdleCanBeDeleted) {
   EXPECT_FALSE(Wait<FrameOutcome>([&](auto done) { session->Integrate(feed, 1, FrameOf(1), done); }).report.ok());
 }
 
-TEST_F(OpenMapTest, NumbersThatWereSeenBeforeACrashAreNotGivenOutAgain) {
+TEST_F(OpenMapTest, NumbersSeenBeforeACrashAreNotReused) {
   const testing::TempDir folder;
   const std::string path = (folder.path() / "maps.db").string(), crashed = (folder.path() / "crashed.db").string();
   store = std::move(OpenSqliteStore(path)).value();
@@ -348,7 +348,7 @@ TEST_F(OpenMapTest, NumbersThatCannotBeReservedAreNotShown) {
   EXPECT_EQ(session->View()->snapshot().info().num_frames, 2);
 }
 
-TEST_F(OpenMapTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
+TEST_F(OpenMapTest, ConcurrentFramesEditsAndLookupsSeeCompleteStates) {
   Open({.publish = {.frames = 1}, .commit = {.frames = 2}});
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(Integrate(i).report.ok());
   std::atomic<bool> is_running = true;
@@ -393,7 +393,7 @@ TEST_F(OpenMapTest, FrameEditsAndLookupsAtOnceSeeWholeStates) {
   EXPECT_EQ(store->GetMap("room")->info.num_frames, 20);
 }
 
-/// A store that remembers how the last commit was made.
+/// A store that records the durability of the last commit.
 class SyncStore final : public testing::WrappedStore {
  public:
   Status Commit(const StateMarks& before, const MapSnapshot& after, Durability durability) override {
@@ -408,7 +408,7 @@ class SyncStore final : public testing::WrappedStore {
   std::atomic<Durability> last = Durability::kNormal;
 };
 
-TEST(OpenMap, AFlushIsSyncedInFullEvenIfAllWasCommittedBefore) {
+TEST(OpenMap, AFlushSyncsFullyEvenIfAllWasCommittedBefore) {
   SyncStore store;
   const auto registry =
       std::move(MapRegistry::Open(store, {.mapping = {.num_threads = 1}, .commit = {.frames = 1}})).value();
@@ -421,7 +421,7 @@ TEST(OpenMap, AFlushIsSyncedInFullEvenIfAllWasCommittedBefore) {
   EXPECT_EQ(store.last, Durability::kFull);
 }
 
-/// A store with one map, beside others, of which nothing but the name can be read.
+/// A store with one damaged map, of which only the name is readable.
 class DamagedStore final : public testing::WrappedStore {
  public:
   Result<std::vector<StoredMap>> ListMaps(const std::string& after, std::size_t max) override {
@@ -439,7 +439,7 @@ class DamagedStore final : public testing::WrappedStore {
   Result<std::shared_ptr<const MapSnapshot>> LoadMap(const std::string&) override { return DataLoss("no"); }
 };
 
-TEST(MapRegistry, ADamagedMapIsListedRefusedAndCanBeDeletedBesideTheOthers) {
+TEST(MapRegistry, ADamagedMapIsListedRefusedAndDeletable) {
   DamagedStore store;
   ASSERT_TRUE(store.CreateMap(*Map(RoomInfo("ruin")).Publish(1)).ok());
   const auto registry = std::move(MapRegistry::Open(store, {.mapping = {.num_threads = 1}})).value();
@@ -453,7 +453,7 @@ TEST(MapRegistry, ADamagedMapIsListedRefusedAndCanBeDeletedBesideTheOthers) {
   EXPECT_EQ(registry->List("", 10)->size(), 1u);
 }
 
-TEST_F(OpenMapTest, AMapIsDeletedUnderItsUsers) {
+TEST_F(OpenMapTest, AMapCanBeDeletedWhileInUse) {
   Open({});
   Integrate(0);
   const auto feed = session->BeginFeed();

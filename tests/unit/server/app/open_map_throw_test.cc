@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exceptions on a map's threads: who waits is answered, nothing is lost, and the threads go on.
+// Exceptions on a map's threads: waiting callers get an answer, nothing is lost, and the threads continue.
 #include <atomic>
 #include <memory>
 #include <new>
@@ -16,7 +16,7 @@
 namespace dhpmap {
 namespace {
 
-/// How often memory is going to be short, at one place.
+/// How often memory will run out at one place.
 class Shortage {
  public:
   void Set(int num_times) { num_times_ = num_times; }
@@ -59,7 +59,7 @@ class ShortStore final : public testing::WrappedStore {
   Shortage in_commit, in_find_answer, in_delete, in_reserve;
 };
 
-/// Nothing happens by itself but where a test says so.
+/// Nothing is published or committed without a request.
 OpenMapOptions Patient() {
   return {.publish = {.frames = 1000, .delay_s = 1000}, .commit = {.frames = 1000, .delay_s = 1000, .retry_s = 1000}};
 }
@@ -119,7 +119,7 @@ TEST_F(OpenMapThrowTest, AFlushWhoseCommitThrowsIsAnsweredAndLosesNothing) {
   EXPECT_EQ(NumStored(), 2);
 }
 
-TEST_F(OpenMapThrowTest, ABatchThatThrowsIsTriedAgainWithoutMoreFrames) {
+TEST_F(OpenMapThrowTest, ABatchThatThrowsIsRetriedWithoutFurtherFrames) {
   OpenMapOptions options = Patient();
   options.publish.frames = options.commit.frames = 2;
   options.commit.retry_s = 0.005;
@@ -132,7 +132,7 @@ TEST_F(OpenMapThrowTest, ABatchThatThrowsIsTriedAgainWithoutMoreFrames) {
   EXPECT_TRUE(testing::Eventually([&] { return NumSeen() == 2 && NumStored() == 2; }));
 }
 
-TEST_F(OpenMapThrowTest, AFrameBeforeWhichMemoryIsShortIsRefusedAndLeavesNoTrace) {
+TEST_F(OpenMapThrowTest, AFrameThatRunsOutOfMemoryIsRefusedWithoutATrace) {
   OpenShort(Patient());
   const auto feed = *session->BeginFeed({.session = "robot"});
   const auto integrate = [&](std::int64_t sequence) {
@@ -181,7 +181,7 @@ TEST_F(OpenMapThrowTest, AnEditWhoseCommitThrowsDidNotHappen) {
   EXPECT_EQ((*store->LoadMap("room"))->submaps().size(), num_submaps + 1);
 }
 
-TEST_F(OpenMapThrowTest, WhateverThrowsBeforeAnEditItDidNotHappen) {
+TEST_F(OpenMapThrowTest, AnEditThatThrowsAnywhereDidNotHappen) {
   OpenShort(Patient());
   ASSERT_TRUE(Integrate(0).report.ok());
   in_publish->Set(1);
@@ -235,7 +235,7 @@ TEST_F(OpenMapThrowTest, FinishingWhoseCommitThrowsIsAnswered) {
   EXPECT_EQ(NumStored(), 1);
 }
 
-TEST_F(OpenMapThrowTest, WhoThrowsWhenToldDoesNoHarm) {
+TEST_F(OpenMapThrowTest, CallbacksThatThrowAreHarmless) {
   OpenMapOptions options = Patient();
   options.commit.on_commit = [](double, const Status&) { throw std::bad_alloc(); };
   options.mapping.on_refinement = [](const RefinementReport&) { throw std::bad_alloc(); };
@@ -262,7 +262,7 @@ TEST_F(OpenMapThrowTest, ADeletionThatThrowsLeavesTheMapInUse) {
   EXPECT_EQ(NumStored(), 2);
 }
 
-TEST_F(OpenMapThrowTest, TheEndStoresWhatIsFusedThoughMemoryIsShortAtFirst) {
+TEST_F(OpenMapThrowTest, AStopStoresFusedFramesAfterAShortageOfMemory) {
   OpenShort(Patient());
   ASSERT_TRUE(Integrate(0).report.ok());
   in_publish->Set(1);
@@ -271,7 +271,7 @@ TEST_F(OpenMapThrowTest, TheEndStoresWhatIsFusedThoughMemoryIsShortAtFirst) {
   EXPECT_EQ(NumStored(), 1);
 }
 
-TEST_F(OpenMapThrowTest, TheEndSaysWhatCouldNotBeStored) {
+TEST_F(OpenMapThrowTest, AStopReportsWhatCouldNotBeStored) {
   OpenShort(Patient());
   ASSERT_TRUE(Integrate(0).report.ok());
   in_publish->Set(kForEver);

@@ -29,7 +29,7 @@ class OutgoingFilesTest : public ::testing::Test {
   int num_open_ = 0;
 };
 
-TEST_F(OutgoingFilesTest, ThereAreSoManyAtOnce) {
+TEST_F(OutgoingFilesTest, TheirNumberIsLimited) {
   OutgoingFiles files(2, hours(1));
   auto one = Open(files), two = Open(files);
   ASSERT_TRUE(one.ok() && two.ok());
@@ -43,7 +43,7 @@ TEST_F(OutgoingFilesTest, ThereAreSoManyAtOnce) {
   EXPECT_TRUE(Open(files).ok());
 }
 
-TEST_F(OutgoingFilesTest, OneThatCannotBeOpenedTakesNoPlace) {
+TEST_F(OutgoingFilesTest, AFailedOpeningTakesNoPlace) {
   OutgoingFiles files(1, hours(1));
   EXPECT_EQ(files.Open([]() -> OutgoingFiles::Opened { return NotFound("none"); }).status().code(),
             StatusCode::kNotFound);
@@ -51,7 +51,7 @@ TEST_F(OutgoingFilesTest, OneThatCannotBeOpenedTakesNoPlace) {
   EXPECT_TRUE(Open(files).ok());
 }
 
-TEST_F(OutgoingFilesTest, OneThatNobodyReadsOnMakesPlaceOnlyWhenItIsWanted) {
+TEST_F(OutgoingFilesTest, AnIdleFileIsEvictedOnlyWhenItsPlaceIsNeeded) {
   OutgoingFiles files(1, std::chrono::nanoseconds(0));
   auto first = Open(files);
   EXPECT_EQ((*first)->Read(9).value(), "part");
@@ -65,7 +65,7 @@ TEST_F(OutgoingFilesTest, OneThatNobodyReadsOnMakesPlaceOnlyWhenItIsWanted) {
   EXPECT_EQ((*second)->Read(9).value(), "part");
 }
 
-TEST_F(OutgoingFilesTest, OneThatIsBeingOpenedIsNotIdle) {
+TEST_F(OutgoingFilesTest, AFileBeingOpenedIsNotIdle) {
   OutgoingFiles files(1, std::chrono::nanoseconds(0));
   const auto outer = files.Open([&]() -> OutgoingFiles::Opened {
     EXPECT_EQ(Open(files).status().reason().name(), "TOO_BUSY");
@@ -74,7 +74,7 @@ TEST_F(OutgoingFilesTest, OneThatIsBeingOpenedIsNotIdle) {
   EXPECT_TRUE(outer.ok());
 }
 
-TEST_F(OutgoingFilesTest, AFileMayOutliveThem) {
+TEST_F(OutgoingFilesTest, AFileMayOutliveItsRegistry) {
   auto files = std::make_unique<OutgoingFiles>(1, hours(1));
   const auto file = Open(*files);
   files.reset();

@@ -32,7 +32,7 @@ class OutlineCacheTest : public ::testing::Test {
   OutlineCache cache_;
 };
 
-TEST_F(OutlineCacheTest, FindsOnceWhatIsMovedTurnedRenamedAndCloned) {
+TEST_F(OutlineCacheTest, ReusesOutlinesOfMovedTurnedRenamedAndClonedObjects) {
   const SubmapId id = AddBlock({0.1, 0.2, 0.3});
   const auto before = map_.Publish(0);
   ExpectAlike(cache_.Find(*before->Find(id), Reading::kAllowed), OutlineInMap(*before->Find(id)));
@@ -48,7 +48,7 @@ TEST_F(OutlineCacheTest, FindsOnceWhatIsMovedTurnedRenamedAndCloned) {
   EXPECT_EQ(cache_.size(), 1u);
 }
 
-TEST_F(OutlineCacheTest, FindsAnewWhatIsWrittenToOrTilted) {
+TEST_F(OutlineCacheTest, RecomputesOutlinesOfWrittenOrTiltedObjects) {
   const SubmapId id = AddBlock({0.1, 0.2, 0.3});
   const auto before = map_.Publish(0);
   (void)cache_.Find(*before->Find(id), Reading::kAllowed);
@@ -65,7 +65,7 @@ TEST_F(OutlineCacheTest, FindsAnewWhatIsWrittenToOrTilted) {
   EXPECT_EQ(cache_.size(), 3u);
 }
 
-TEST_F(OutlineCacheTest, KeepsWhatWasAskedForLast) {
+TEST_F(OutlineCacheTest, KeepsTheMostRecentlyUsed) {
   OutlineCache small(2);
   std::vector<SubmapId> ids;
   for (int i = 0; i < 3; ++i) ids.push_back(AddBlock({1.0 * i, 0, 0}));
@@ -76,7 +76,7 @@ TEST_F(OutlineCacheTest, KeepsWhatWasAskedForLast) {
   EXPECT_EQ(small.size(), 2u);
 }
 
-TEST_F(OutlineCacheTest, IsOneForAllViewsOfAMap) {
+TEST_F(OutlineCacheTest, IsSharedByAllViewsOfAMap) {
   const SubmapId id = AddBlock({0.1, 0.2, 0.3});
   const MapView first(map_.Publish(0));
   (void)first.OutlineInMap(*first.snapshot().Find(id), Reading::kAllowed);
@@ -86,13 +86,13 @@ TEST_F(OutlineCacheTest, IsOneForAllViewsOfAMap) {
               first.OutlineInMap(*first.snapshot().Find(id), Reading::kNever));
 }
 
-/// Blocks on a disk that nobody may read.
+/// Blocks on a disk; reading them fails.
 class UnreadableSource final : public TileSource {
  public:
   Result<std::vector<BlockEntry>> Read(const TileOnDisk&) override { return DataLoss("was read"); }
 };
 
-TEST_F(OutlineCacheTest, ReadsNothingFromTheDiskThatItMustNot) {
+TEST_F(OutlineCacheTest, NeverReadsForbiddenTiles) {
   Submap submap({.id = SubmapId(1), .panoptic = Panoptic::kThing, .voxel_size_m = 0.05}, 1);
   const TileOnDisk there{.index = {0, 0, 0}, .cells = {1, 0, 0}, .keys = {1, 0, 0}};
   submap.PutTile({0, 0, 0}, std::make_shared<BlockTile>(
@@ -102,7 +102,7 @@ TEST_F(OutlineCacheTest, ReadsNothingFromTheDiskThatItMustNot) {
   EXPECT_THROW((void)cache_.Find(submap, Reading::kAllowed), StatusError);
 }
 
-TEST_F(OutlineCacheTest, TellsWhatIsStoredOfAnObjectThatIsLeftOnTheDisk) {
+TEST_F(OutlineCacheTest, ReturnsStoredExtentsOfObjectsOnDisk) {
   const SubmapId id = AddBlock({0.1, 0.2, 0.3});
   const auto known = FindLevelOutline(*map_.Find(id));
   Submap submap({.id = SubmapId(1), .panoptic = Panoptic::kThing, .voxel_size_m = 0.05}, 1);

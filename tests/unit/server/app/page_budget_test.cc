@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Open maps whose voxels are read from the store when they are needed, and how many of these stay in memory.
+// Open maps whose voxels are read on demand, within a memory budget.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@
 namespace dhpmap {
 namespace {
 
-/// A registry over a database in a folder of its own, which can be opened anew.
+/// A registry on a database in its own folder; it can be opened again.
 class PageBudgetTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -56,7 +56,7 @@ class PageBudgetTest : public ::testing::Test {
     registry_ = nullptr;
     store_ = nullptr;
   }
-  /// All of them are seen, and stored.
+  /// Returns once all frames are visible and stored.
   void Integrate(int begin, int end) {
     const auto session = registry_->GetOpen("room").value();
     for (int i = begin; i < end; ++i) {
@@ -66,7 +66,7 @@ class PageBudgetTest : public ::testing::Test {
     EXPECT_TRUE(Wait<Status>([&](auto done) { session->Flush(done); }).ok());
   }
   std::shared_ptr<const MapView> View() { return registry_->ViewOf("room").value(); }
-  /// A copy that is all in memory.
+  /// A copy that is completely in memory.
   std::shared_ptr<const MapSnapshot> Whole() {
     auto snapshot = View()->shared_snapshot();
     for (const auto& submap : snapshot->submaps()) ReadAllOf(*submap);
@@ -75,7 +75,7 @@ class PageBudgetTest : public ::testing::Test {
   static void ReadAllOf(const Submap& submap) {
     for (const BlockEntry& entry : submap.blocks().entries()) ASSERT_NE(entry.tsdf, nullptr);
   }
-  /// In the file, which nobody has open.
+  /// Damages the file while it is closed.
   void DamageBlobsOfLabels() const {
     std::fstream file(folder_.path() / "maps.db", std::ios::in | std::ios::out | std::ios::binary);
     const std::string bytes((std::istreambuf_iterator<char>(file)), {});
@@ -108,7 +108,7 @@ class PageBudgetTest : public ::testing::Test {
   std::unique_ptr<MapRegistry> registry_;
 };
 
-TEST_F(PageBudgetTest, WhatQueriesReadIsLetGoOnceItIsTooMuchAndNobodyHoldsIt) {
+TEST_F(PageBudgetTest, PagesReadByQueriesAreEvictedOnceUnusedAndOverBudget) {
   const std::int64_t before = ResidentBytes();
   Open(1);
   auto held = View();
@@ -123,7 +123,7 @@ TEST_F(PageBudgetTest, WhatQueriesReadIsLetGoOnceItIsTooMuchAndNobodyHoldsIt) {
   EXPECT_TRUE(testing::Eventually([&] { return ResidentBytes() == before; }));
 }
 
-TEST_F(PageBudgetTest, WhatReadersOfAnotherMapHoldTakesNoRecentPast) {
+TEST_F(PageBudgetTest, ReadersOfAnotherMapDoNotEvictRecentStates) {
   Open(1);
   ASSERT_TRUE(registry_->Create(RoomInfo("other")).ok());
   const auto other = registry_->GetOpen("other").value();
@@ -147,7 +147,7 @@ TEST_F(PageBudgetTest, WhatReadersOfAnotherMapHoldTakesNoRecentPast) {
 }
 
 // Also what a commit under way holds meanwhile, which is one of the kept states at its end.
-TEST_F(PageBudgetTest, WhatFramesReadGoesOnceTheyArePublishedAndStored) {
+TEST_F(PageBudgetTest, PagesReadByFramesAreEvictedOncePublishedAndStored) {
   const std::int64_t before = ResidentBytes();
   Close();
   store_ = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = true}).value();
@@ -166,7 +166,7 @@ TEST_F(PageBudgetTest, WhatFramesReadGoesOnceTheyArePublishedAndStored) {
   store_ = nullptr;
 }
 
-TEST_F(PageBudgetTest, AMapOfWhichAStateIsHeldIsNotClosedSoThatItCanStillBeRead) {
+TEST_F(PageBudgetTest, AMapWithAPinnedStateStaysOpenAndReadable) {
   Open(1 << 30);
   auto held = View();
   const auto close = [this] { registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1)); };
@@ -184,7 +184,7 @@ TEST_F(PageBudgetTest, AMapOfWhichAStateIsHeldIsNotClosedSoThatItCanStillBeRead)
   }));
 }
 
-TEST_F(PageBudgetTest, AnOpenMapThatIsFoundToBeDamagedIsClosedAndRepaired) {
+TEST_F(PageBudgetTest, ADamagedOpenMapIsClosedAndRepaired) {
   Open(1 << 30);
   {
     const auto whole = View();
@@ -213,7 +213,7 @@ TEST_F(PageBudgetTest, AnOpenMapThatIsFoundToBeDamagedIsClosedAndRepaired) {
   EXPECT_NO_THROW(read_all());
 }
 
-TEST_F(PageBudgetTest, StatisticsCountWhatIsInMemoryAndKeepNothing) {
+TEST_F(PageBudgetTest, StatisticsCountMemoryAndLoadNothing) {
   const std::int64_t before = ResidentBytes();
   const MapStats whole = ComputeStats(View()->snapshot(), true);
   EXPECT_EQ(whole.num_tsdf_blocks_in_memory, whole.num_tsdf_blocks);
@@ -251,7 +251,7 @@ std::string WalkAndMesh(const std::shared_ptr<const MapSnapshot>& state, const S
   return bytes;
 }
 
-TEST_F(PageBudgetTest, VoxelsAndMeshesAreThoseOfAMapInMemoryWhenTheyAreReadAhead) {
+TEST_F(PageBudgetTest, VoxelsAndMeshesReadAheadEqualThoseInMemory) {
   Open(0);
   const std::string whole = WalkAndMesh(View()->shared_snapshot(), InPlace);
   ThreadPool pool(3);
@@ -267,7 +267,7 @@ TEST_F(PageBudgetTest, VoxelsAndMeshesAreThoseOfAMapInMemoryWhenTheyAreReadAhead
   EXPECT_GT(CountPages().num_reads, before.num_reads);
 }
 
-TEST_F(PageBudgetTest, WhatCannotBeReadAheadIsToldToWhoAsked) {
+TEST_F(PageBudgetTest, AFailedReadAheadIsReportedToItsCaller) {
   Close();
   DamageBlobsOfLabels();
   Open(1 << 30);
@@ -287,7 +287,7 @@ TEST_F(PageBudgetTest, WhatCannotBeReadAheadIsToldToWhoAsked) {
   EXPECT_EQ(code_of([&] { (void)WalkAndMesh(state, on_threads); }), StatusCode::kDataLoss);
 }
 
-TEST_F(PageBudgetTest, LookupsInTilesThatWereReadAreCounted) {
+TEST_F(PageBudgetTest, LookupsInLoadedTilesAreCounted) {
   Open(1 << 30);
   const auto view = View();
   for (const auto& submap : view->snapshot().submaps()) ReadAllOf(*submap);
@@ -299,7 +299,7 @@ TEST_F(PageBudgetTest, LookupsInTilesThatWereReadAreCounted) {
   EXPECT_LE(CountPages().num_hits, before + kTimes + kNotTold);
 }
 
-TEST_F(PageBudgetTest, WhatFramesWroteLeavesMemoryTooAndIsReadAgainAsItWas) {
+TEST_F(PageBudgetTest, WrittenTilesAreSpilledAndReadBackUnchanged) {
   Close();
   const std::size_t before = CountOf(MemoryKind::kBlocks).now_bytes();
   spill_ = OpenTileSpill(folder_.path().string()).value();
@@ -324,7 +324,7 @@ TEST_F(PageBudgetTest, WhatFramesWroteLeavesMemoryTooAndIsReadAgainAsItWas) {
   }));
 }
 
-TEST_F(PageBudgetTest, MoreFramesMakeTheMapThatTheyMakeInMemory) {
+TEST_F(PageBudgetTest, FramesMakeTheSameMapAsInMemory) {
   const testing::TempDir other;
   Close();
   std::filesystem::copy_file(folder_.path() / "maps.db", other.path() / "maps.db");
@@ -345,7 +345,7 @@ TEST_F(PageBudgetTest, MoreFramesMakeTheMapThatTheyMakeInMemory) {
   EXPECT_TRUE(testing::MapsAreEqual(**store->LoadMap("room"), **store_->LoadMap("room"))) << "as they are stored, too";
 }
 
-TEST_F(PageBudgetTest, AStateThatIsHeldWhileTheMapIsClosedAndOpenedAgainExpiresWhereTheMapGoesOn) {
+TEST_F(PageBudgetTest, APinnedStateOfAReopenedMapExpiresWhenTheMapChanges) {
   Open(std::int64_t{1} << 30);
   const auto held = View()->shared_snapshot();  // a view would keep the map open
   registry_->CloseIdleMaps(MapRegistry::Clock::now() + std::chrono::hours(1000));
@@ -360,7 +360,7 @@ TEST_F(PageBudgetTest, AStateThatIsHeldWhileTheMapIsClosedAndOpenedAgainExpiresW
   EXPECT_TRUE(ReadAnew(View()->snapshot()).ok());
 }
 
-TEST_F(PageBudgetTest, ADamagedTileIsToldToWhoNeedsItAndTheMapGoesOn) {
+TEST_F(PageBudgetTest, ADamagedTileFailsItsReadersOnly) {
   Close();
   {
     auto opened = OpenSqliteStore((folder_.path() / "maps.db").string(), {.pages_tiles = true});
@@ -387,7 +387,7 @@ TEST_F(PageBudgetTest, ADamagedTileIsToldToWhoNeedsItAndTheMapGoesOn) {
   EXPECT_EQ(session.View()->snapshot().revision(), snapshot->revision()) << "nothing was changed";
 }
 
-/// Two rooms to which the same is done, one of which has as little in memory as it can.
+/// Two rooms with the same frames and edits; one keeps as little as possible in memory.
 class PagedRoomTest : public ::testing::Test {
  protected:
   template <typename Step>
@@ -419,7 +419,7 @@ class PagedRoomTest : public ::testing::Test {
   void Undo() {
     OnBoth("undo", [](EditedRoom& room) { return room.Undo({.author = "anna"}).status(); });
   }
-  /// Some thing of those that are there.
+  /// One of the existing things.
   [[nodiscard]] SubmapId Thing(std::size_t number) const {
     std::vector<SubmapId> things;
     for (const auto& submap : whole_.Now()->submaps()) {

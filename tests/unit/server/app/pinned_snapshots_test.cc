@@ -39,7 +39,7 @@ class PinnedSnapshotsTest : public ::testing::Test {
     const MutexLock lock(mutex_);
     present_ = nullptr;
   }
-  /// Somebody keeps this state anyway, or nobody does.
+  /// Sets the state that is kept elsewhere anyway; null: none.
   void KeepElsewhere(PinnedSnapshots::State state) {
     const MutexLock lock(mutex_);
     kept_ = std::move(state);
@@ -64,7 +64,7 @@ TEST_F(PinnedSnapshotsTest, APresentStateCostsNothing) {
   EXPECT_EQ(BlocksHeld(), 0u);
 }
 
-TEST_F(PinnedSnapshotsTest, AnOldStateCostsWhatWasWrittenSinceHoweverOften) {
+TEST_F(PinnedSnapshotsTest, AnOldStateCostsTheBlocksWrittenSinceHoweverOften) {
   const auto hold = states_.TryPin(Now(), {});
   for (int i = 0; i < 3; ++i) {
     Write(kThing, 2, 6);
@@ -78,7 +78,7 @@ TEST_F(PinnedSnapshotsTest, AnOldStateCostsWhatWasWrittenSinceHoweverOften) {
   EXPECT_EQ(CountOf(MemoryKind::kReserved).now_bytes(), budget_.used_bytes()) << "what is counted as blocks of maps";
 }
 
-TEST_F(PinnedSnapshotsTest, WhatSeveralStatesShareIsCountedOnce) {
+TEST_F(PinnedSnapshotsTest, BlocksSharedByStatesAreCountedOnce) {
   const auto first = states_.TryPin(Now(), {}), again = states_.TryPin(Now(), {});
   Write(kThing, 0, 3);
   const auto second = states_.TryPin(Now(), {});
@@ -87,7 +87,7 @@ TEST_F(PinnedSnapshotsTest, WhatSeveralStatesShareIsCountedOnce) {
   EXPECT_EQ(BlocksHeld(), 5u);
 }
 
-TEST_F(PinnedSnapshotsTest, OneSubmapAloneCostsNoMoreThanItself) {
+TEST_F(PinnedSnapshotsTest, APinnedSubmapCostsOnlyItself) {
   const auto whole = states_.TryPin(Now(), {});
   const auto hold = states_.TryPin(OnlySubmap(*Now(), kThing), {});
   Write(kThing, 0, 3);
@@ -97,13 +97,13 @@ TEST_F(PinnedSnapshotsTest, OneSubmapAloneCostsNoMoreThanItself) {
   EXPECT_EQ(OnlySubmap(*Now(), SubmapId(99)), nullptr);
 }
 
-TEST_F(PinnedSnapshotsTest, AStateOfAMapThatIsClosedCostsAllOfIt) {
+TEST_F(PinnedSnapshotsTest, AStateOfAClosedMapCostsAllItsBlocks) {
   const auto hold = states_.TryPin(Now(), {});
   Close();
   EXPECT_EQ(BlocksHeld(), 20u);
 }
 
-TEST_F(PinnedSnapshotsTest, AStateThatIsKeptAnywayCostsNothingUntilItIsNot) {
+TEST_F(PinnedSnapshotsTest, AStateInTheHistoryCostsNothingUntilItIsDropped) {
   const auto past = Now();
   const auto hold = states_.TryPin(past, {}), part = states_.TryPin(OnlySubmap(*past, kThing), {});
   KeepElsewhere(past);
@@ -116,7 +116,7 @@ TEST_F(PinnedSnapshotsTest, AStateThatIsKeptAnywayCostsNothingUntilItIsNot) {
   EXPECT_EQ(BlocksHeld(), 5u);
 }
 
-TEST_F(PinnedSnapshotsTest, WhatIsLetGoIsGivenBack) {
+TEST_F(PinnedSnapshotsTest, AReleasedStatesMemoryIsReturned) {
   auto hold = states_.TryPin(Now(), {});
   Write(kThing, 0, 3);
   Now();
@@ -126,7 +126,7 @@ TEST_F(PinnedSnapshotsTest, WhatIsLetGoIsGivenBack) {
   EXPECT_EQ(budget_.used_bytes(), 0u);
 }
 
-TEST_F(PinnedSnapshotsTest, TheOldestIsAskedToLetGoOnceThereIsNoRoom) {
+TEST_F(PinnedSnapshotsTest, TheOldestPinIsReleasedWhenMemoryRunsOut) {
   ByteShare others(&budget_);
   int first_asked = 0, second_asked = 0;
   auto first = states_.TryPin(Now(), [&] { ++first_asked; });
@@ -144,7 +144,7 @@ TEST_F(PinnedSnapshotsTest, TheOldestIsAskedToLetGoOnceThereIsNoRoom) {
   EXPECT_EQ(second_asked, 0) << "without the first there is room";
 }
 
-TEST_F(PinnedSnapshotsTest, NoMoreAreTakenWhileOlderOnesHoldMuch) {
+TEST_F(PinnedSnapshotsTest, NewPinsAreRefusedWhileOlderOnesHoldMuch) {
   const auto hold = states_.TryPin(Now(), {});
   Write(kThing, 0, 10);
   Write(kOther, 0, 10);
@@ -158,7 +158,7 @@ TEST_F(PinnedSnapshotsTest, NoMoreAreTakenWhileOlderOnesHoldMuch) {
   EXPECT_EQ(states_.TryPin(Now(), {}), nullptr);
 }
 
-TEST_F(PinnedSnapshotsTest, LooksByItselfAndAsksNobodyWhoIsGone) {
+TEST_F(PinnedSnapshotsTest, ChecksByItselfAndSkipsReleasedPins) {
   ByteShare others(&budget_);
   ASSERT_TRUE(others.Resize(99 * kBlock_bytes));
   std::atomic<int> asked = 0;

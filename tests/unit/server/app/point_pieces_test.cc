@@ -16,7 +16,7 @@ std::vector<Eigen::Vector3d> RandomPlaces(std::size_t number) {
   return points_m;
 }
 
-TEST(PointPieces, BatchesHoldAllPointsInTheirOrderAndAreAboutAsLarge) {
+TEST(PointPieces, BatchesContainAllPointsInOrderWithSimilarSizes) {
   for (const std::size_t number : {1u, 8192u, 8193u, 10'000u, 50'000u}) {
     const auto points_m = RandomPlaces(number);
     const Eigen::Vector3d* next = points_m.data();
@@ -34,7 +34,7 @@ TEST(PointPieces, BatchesHoldAllPointsInTheirOrderAndAreAboutAsLarge) {
   EXPECT_TRUE(BatchesOf({}).empty());
 }
 
-TEST(PointPieces, EachPointIsInOnePieceOfPointsThatAreClose) {
+TEST(PointPieces, EachPointBelongsToOneCompactPiece) {
   const auto points_m = RandomPlaces(8000);
   std::vector<int> times(points_m.size(), 0);
   const Spread backwards = [](std::size_t count, const std::function<void(std::size_t)>& body) {

@@ -29,7 +29,7 @@ TEST(LookUpPoints, AnswersInTheOrderOfThePoints) {
   EXPECT_TRUE(answers[1].is_observed);
 }
 
-TEST(LookUpPoints, EndsSoonAfterTheCallerIsGone) {
+TEST(LookUpPoints, EndsSoonAfterACancellation) {
   const MapView view(PlaneMap());
   const std::vector<Eigen::Vector3d> points_m(20000, {0.1, 0.1, 0.1});
   std::stop_source caller;
@@ -41,7 +41,7 @@ TEST(LookUpPoints, EndsSoonAfterTheCallerIsGone) {
   EXPECT_LT(num_answered, 10000);
 }
 
-TEST(LookUpPoints, OfNoPointsIsNothing) {
+TEST(LookUpPoints, OfNoPointsIsEmpty) {
   const MapView view(PlaneMap());
   EXPECT_TRUE(LookUpPoints(view, {}, {}, InPlace, [](const PointInfo&) { FAIL(); }).ok());
 }

@@ -13,7 +13,7 @@ namespace {
 
 using testing::PlaneMap;
 
-TEST(CastRays, AnswersInTheOrderOfTheRaysAndInTheAskersFrame) {
+TEST(CastRays, AnswersInTheOrderOfTheRaysAndInTheQueryFrame) {
   const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   DistanceQuestion question;
@@ -33,7 +33,7 @@ TEST(CastRays, AnswersInTheOrderOfTheRaysAndInTheAskersFrame) {
   EXPECT_EQ(hits[1].submap, nullptr);
 }
 
-TEST(CastRays, EndsSoonAfterTheCallerIsGone) {
+TEST(CastRays, EndsSoonAfterACancellation) {
   const MapView view(PlaneMap());
   SurfaceCache cache(1 << 20);
   const std::vector<Ray> rays(5000, Ray{{0.1, 0.1, 0.7}, {0, 0, -1}});

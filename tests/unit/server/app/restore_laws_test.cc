@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Laws of going back to a revision, over random sequences of frames, refinements and edits.
+// Laws of restoring a revision, over random sequences of frames, refinements and edits.
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,7 +23,7 @@ using testing::SpheresHoldWhatWasObserved;
 using testing::WithoutEdits;
 using StatePtr = std::shared_ptr<const MapSnapshot>;
 
-/// The map as it is now, with all that comes back of a past state.
+/// The present map with everything that a restore of a past state brings back.
 StatePtr ComeBack(const MapSnapshot& past, const MapSnapshot& now) {
   MapInfo info = now.info();
   info.display_name = past.info().display_name;
@@ -106,7 +106,7 @@ class RestoreLaws : public ::testing::TestWithParam<EditedRoom::Store> {
     Remember();
   }
 
-  /// The present state, which is stored.
+  /// Records the present state, which is stored.
   void Remember() { stored_[room_.Now()->revision()] = room_.Now(); }
 
   void ExpectLaws() {

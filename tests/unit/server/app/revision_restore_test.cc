@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A map, or one of its objects, goes back to what it was.
+// Restoring a map, or one of its objects.
 #include "server/app/edits/revision_restore.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ class RevisionRestore : public testing::EditUndoTest {
   }
   [[nodiscard]] std::int64_t Now() const { return map->info().revision; }
   [[nodiscard]] std::string Text() const { return TextWithoutNumbers(*map->published()); }
-  /// Of a map that has this object alone.
+  /// The text of a map with this object only.
   [[nodiscard]] std::string TextOfOne(std::uint32_t id) const {
     for (const auto& submap : map->submaps()) {
       if (submap->id() == SubmapId(id)) return TextWithoutNumbers(MapSnapshot(MapInfo(), std::vector{submap}));
@@ -55,7 +55,7 @@ class RevisionRestore : public testing::EditUndoTest {
   EditSummary summary;
 };
 
-TEST_P(RevisionRestore, TheLogIsToldToWhichRevisionItWent) {
+TEST_P(RevisionRestore, TheLogNamesTheRestoredRevision) {
   const std::int64_t past = Now();
   MustDo({Rename(1, "new")});
   MustDo({Rename(1, "newer")});
@@ -69,7 +69,7 @@ TEST_P(RevisionRestore, TheLogIsToldToWhichRevisionItWent) {
   EXPECT_EQ(log->at(1).entry.summary.restored_revision, past + 1);
 }
 
-TEST_P(RevisionRestore, TheMapIsAsItWasAndTheRestorationIsAnEditThatCanBeUndone) {
+TEST_P(RevisionRestore, TheMapIsRestoredByAnEditThatCanBeUndone) {
   const std::int64_t past = Now();
   const std::string as_it_was = Stored();
   MustDo({Rename(1, "lamp"), Relabel(1, 2), Lock(1, true)});
@@ -97,7 +97,7 @@ TEST_P(RevisionRestore, TheMapIsAsItWasAndTheRestorationIsAnEditThatCanBeUndone)
   EXPECT_EQ(Difference(Text(), as_it_was), "");
 }
 
-TEST_P(RevisionRestore, NoIdIsGivenOutAgain) {
+TEST_P(RevisionRestore, NoIdIsReused) {
   const std::int64_t past = Now();
   MustDo({On(1, CloneEdit{})});
   ASSERT_NE(map->Find(SubmapId(6)), nullptr);
@@ -109,7 +109,7 @@ TEST_P(RevisionRestore, NoIdIsGivenOutAgain) {
   EXPECT_GT(Now(), past + 2) << "nor a revision";
 }
 
-TEST_P(RevisionRestore, WhatIsSoAlreadyIsNoEdit) {
+TEST_P(RevisionRestore, ARestoreWithoutEffectIsNoEdit) {
   const std::int64_t now = Now();
   ASSERT_TRUE(Restore({.revision = now}).ok());
   EXPECT_EQ(Now(), now);
@@ -119,7 +119,7 @@ TEST_P(RevisionRestore, WhatIsSoAlreadyIsNoEdit) {
   EXPECT_EQ(Now(), now + 1);
 }
 
-TEST_P(RevisionRestore, AnObjectAloneComesBackAsItWas) {
+TEST_P(RevisionRestore, ASingleObjectIsRestored) {
   const std::int64_t past = Now();
   const std::string as_it_was = TextOfOne(3);
   MustDo({Move(3, 0.5), Rename(3, "sofa"), Rename(1, "lamp")});
@@ -135,7 +135,7 @@ TEST_P(RevisionRestore, AnObjectAloneComesBackAsItWas) {
   ExpectIntact();
 }
 
-TEST_P(RevisionRestore, ADeletedObjectComesBackAlone) {
+TEST_P(RevisionRestore, ADeletedObjectIsRestoredAlone) {
   const std::int64_t past = Now();
   const std::string as_it_was = TextOfOne(2);
   MustDo({On(2, DeleteEdit{}), Rename(1, "lamp")});
@@ -150,7 +150,7 @@ TEST_P(RevisionRestore, ADeletedObjectComesBackAlone) {
   ExpectIntact();
 }
 
-TEST_P(RevisionRestore, WhatWasSplitStaysSplitThoughAPartWasGone) {
+TEST_P(RevisionRestore, ASplitObjectStaysSplitAfterAPartWasDeleted) {
   const SubmapId whole(1), part(6);
   MustDo({Split(1, 3)});
   ASSERT_EQ(map->info().pairs.Of(whole, part).verdict, PairVerdict::kMustBeTwo);
@@ -165,7 +165,7 @@ TEST_P(RevisionRestore, WhatWasSplitStaysSplitThoughAPartWasGone) {
   ExpectIntact();
 }
 
-TEST_P(RevisionRestore, WhatCannotBeRestoredIsToldAndChangesNothing) {
+TEST_P(RevisionRestore, AnImpossibleRestoreIsRefusedAndChangesNothing) {
   const std::int64_t past = Now();
   MustDo({On(1, CloneEdit{})});
   MustDo({On(4, MergeEdit{{SubmapId(5)}})});
@@ -186,7 +186,7 @@ TEST_P(RevisionRestore, WhatCannotBeRestoredIsToldAndChangesNothing) {
   EXPECT_EQ(Difference(Stored(), before), "");
 }
 
-TEST_P(RevisionRestore, EditsOfWhatIsToBeRestoredAreSeen) {
+TEST_P(RevisionRestore, EditsOfARestoredObjectConflict) {
   const std::int64_t past = Now();
   MustDo({Rename(1, "lamp")});
   const std::int64_t renamed = Now();
@@ -203,7 +203,7 @@ TEST_P(RevisionRestore, EditsOfWhatIsToBeRestoredAreSeen) {
   EXPECT_EQ(restore(SubmapId(1), renamed), "") << "frames do not count";
 }
 
-TEST_P(RevisionRestore, TheRemovalOfWhatIsToBeRestoredIsSeen) {
+TEST_P(RevisionRestore, ARemovalOfARestoredObjectConflicts) {
   const std::int64_t past = Now();
   MustDo({On(3, DeleteEdit{})});
   const std::int64_t removed = Now();
@@ -217,8 +217,8 @@ TEST_P(RevisionRestore, TheRemovalOfWhatIsToBeRestoredIsSeen) {
   EXPECT_NE(map->Find(SubmapId(3)), nullptr);
 }
 
-/// Whatever was done since, and wherever to.
-TEST_P(RevisionRestore, AnyRevisionThatIsKeptComesBackAndGoesAgain) {
+/// For all later edits and all target revisions.
+TEST_P(RevisionRestore, AnyKeptRevisionIsRestoredAndUndone) {
   std::mt19937 random(23);
   std::map<std::int64_t, std::string> texts = {{Now(), Text()}};
   const auto below = [&random](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };

@@ -8,7 +8,7 @@ namespace {
 
 using Opened = RunningExports::Opened;
 
-/// Three parts of 4 bytes; after them its end, or an error.
+/// Three parts of 4 bytes, then the end or an error.
 class ThreeParts final : public StoreBackup {
  public:
   explicit ThreeParts(Status end) : end_(std::move(end)) {}
@@ -33,7 +33,7 @@ class RunningExportsTest : public ::testing::Test {
     EXPECT_TRUE(opened.ok());
     return std::move(opened).value();
   }
-  /// What is new of a map; the next time, since this one.
+  /// The news of a map since the last call.
   ExportNews Ask(const std::string& map = "room") {
     ExportNews news = exports_->Of(map, asked_);
     asked_ = news.number;
@@ -44,7 +44,7 @@ class RunningExportsTest : public ::testing::Test {
   std::uint64_t asked_ = 0;
 };
 
-TEST_F(RunningExportsTest, AFileIsUnderWayFromItsOpeningToItsLastByte) {
+TEST_F(RunningExportsTest, AnExportRunsFromItsOpeningToItsLastByte) {
   EXPECT_FALSE(Ask().has_changed);
   auto opened = exports_->Open(ExportKind::kMapFile, "room", [&]() -> Opened {
     const ExportNews news = Ask();
@@ -82,7 +82,7 @@ TEST_F(RunningExportsTest, AFileIsUnderWayFromItsOpeningToItsLastByte) {
   EXPECT_TRUE(news.exports.empty());
 }
 
-TEST_F(RunningExportsTest, OneThatIsLetGoOfHasLeftAndOneThatCannotBeReadHasFailed) {
+TEST_F(RunningExportsTest, AReleasedExportIsCancelledAndAnUnreadableOneFails) {
   auto left = Open("room"), failed = Open("room", ExportKind::kMapFile, DataLoss("torn"));
   (void)Ask();
   (void)left->Read(99);
@@ -98,7 +98,7 @@ TEST_F(RunningExportsTest, OneThatIsLetGoOfHasLeftAndOneThatCannotBeReadHasFaile
   EXPECT_EQ(news.num_running, 0u);
 }
 
-TEST_F(RunningExportsTest, OneThatCannotBeOpenedEndsAtOnce) {
+TEST_F(RunningExportsTest, AnExportThatCannotBeOpenedEndsAtOnce) {
   const auto stage_after = [this](const std::function<Opened()>& open) {
     (void)exports_->Open(ExportKind::kMapFile, "room", open);
     const ExportNews news = Ask();
@@ -114,7 +114,7 @@ TEST_F(RunningExportsTest, OneThatCannotBeOpenedEndsAtOnce) {
   EXPECT_TRUE(Ask().exports.empty()) << "nobody follows a map that is not there";
 }
 
-TEST_F(RunningExportsTest, AreToldToThoseWhoFollowTheMapAndBackupsToAll) {
+TEST_F(RunningExportsTest, ExportsAreReportedToTheirMapsWatchersAndBackupsToAll) {
   const auto of_room = Open("room"), of_all = Open("", ExportKind::kBackup);
   const ExportNews hall = exports_->Of("hall", 0);
   ASSERT_EQ(hall.exports.size(), 1u);
@@ -124,7 +124,7 @@ TEST_F(RunningExportsTest, AreToldToThoseWhoFollowTheMapAndBackupsToAll) {
   EXPECT_EQ(exports_->Of("room", exports_->number()).num_running, 2u) << "told to who comes later, too";
 }
 
-TEST_F(RunningExportsTest, SoManyAreToldAndKeptHoweverManyThereAre) {
+TEST_F(RunningExportsTest, ReportedAndKeptExportsAreLimited) {
   constexpr std::size_t kMany = RunningExports::kMaxEnded + 10;
   std::vector<std::unique_ptr<StoreBackup>> files;
   for (std::size_t n = 0; n < kMany; ++n) files.push_back(Open("room"));
@@ -141,7 +141,7 @@ TEST_F(RunningExportsTest, SoManyAreToldAndKeptHoweverManyThereAre) {
   EXPECT_FALSE(Ask().has_changed);
 }
 
-TEST_F(RunningExportsTest, AFileMayOutliveThem) {
+TEST_F(RunningExportsTest, AFileMayOutliveItsRegistry) {
   const auto file = Open("room");
   exports_ = nullptr;
   EXPECT_EQ(file->Read(9).value(), "part");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What later frames make of a place that somebody has edited: what a person expects.
+// Later frames of an edited place have the effects that a person expects.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -63,7 +63,7 @@ testing::Scene PairOfChairs(double gap_m) {
               Box(ClassId(kSecond), {1.7, 0.2 + away_m, 0.4}, {0.25, 0.15, 0.4}));
 }
 
-/// A robot walks around in a room that somebody edits. Its things are matched by overlap.
+/// A robot maps a room that a person edits. Things are matched by overlap.
 class SeenAgainByOverlap : public ::testing::Test {
  protected:
   using Scene = testing::Scene;
@@ -108,7 +108,7 @@ class SeenAgain : public SeenAgainByOverlap, public ::testing::WithParamInterfac
   SeenAgain() { has_persistent_ids_ = GetParam(); }
 };
 
-TEST_P(SeenAgain, TheOldPlaceOfAMovedObjectFillsWithWhatIsSeenThereNow) {
+TEST_P(SeenAgain, TheOldPlaceOfAMovedObjectIsMappedAgain) {
   const SubmapId chair = ChairOf(With(EmptyRoom(), Chair()));
   std::vector<Eigen::Vector3d> floor_below;
   for (const double x_m : {1.6, 1.7, 1.8}) {
@@ -119,7 +119,7 @@ TEST_P(SeenAgain, TheOldPlaceOfAMovedObjectFillsWithWhatIsSeenThereNow) {
   patch.T_map_submap = Transform(Eigen::Translation3d(0, -0.7, 0));
   Make(chair, PatchEdit{patch});
   const std::int64_t num_frames = NumFramesOf(chair);
-  Walk(With(EmptyRoom(), Chair(1.7, -0.5)), 14);  // somebody has moved the real one, too
+  Walk(With(EmptyRoom(), Chair(1.7, -0.5)), 14);  // the real chair was moved, too
   EXPECT_GT(ShareWithSurface(Now(), floor_below), 0.9);
   EXPECT_LT(ShareWithSurface(Now(), PointsOf(Chair())), 0.1);
   EXPECT_GT(ShareWithSurface(Now(), PointsOf(Chair(1.7, -0.5))), 0.5);
@@ -127,13 +127,13 @@ TEST_P(SeenAgain, TheOldPlaceOfAMovedObjectFillsWithWhatIsSeenThereNow) {
   EXPECT_GT(NumFramesOf(chair), num_frames);
 }
 
-/// Frames show them as one background, of which one stays in it.
+/// Frames show the three doors as one background; one of them stays in it.
 testing::Scene ThreeDoors() {
   const auto door = [](double x_m, double y_m) { return Box(testing::kDoor, {x_m, y_m, 0.5}, {0.06, 0.2, 0.5}); };
   return With(With(With(EmptyRoom(), door(1.7, -0.6)), door(1.7, 0.2)), door(1.7, 1.0));
 }
 
-TEST_P(SeenAgain, DoorsThatAreSplitFromTheirBackgroundTakeWhatIsSeenOfThem) {
+TEST_P(SeenAgain, DoorsSplitFromABackgroundReceiveTheirObservations) {
   Walk(ThreeDoors(), 12);
   const Submap* background = nullptr;
   for (const auto& submap : Now()->submaps()) {
@@ -172,7 +172,7 @@ TEST_P(SeenAgain, DoorsThatAreSplitFromTheirBackgroundTakeWhatIsSeenOfThem) {
   }
 }
 
-TEST_P(SeenAgain, WhereABackgroundWasCutInTwoEachSideKeepsItsOwn) {
+TEST_P(SeenAgain, BothSidesOfASplitBackgroundKeepTheirObservations) {
   const testing::Scene scene = With(EmptyRoom(), Box(testing::kDoor, {1.7, 0.2, 0.5}, {0.06, 0.5, 0.5}));
   Walk(scene, 12);
   SubmapId rest;
@@ -192,7 +192,7 @@ TEST_P(SeenAgain, WhereABackgroundWasCutInTwoEachSideKeepsItsOwn) {
   EXPECT_EQ(ThingsIn(*Now()), parts);
 }
 
-TEST_P(SeenAgain, ADeletedObjectThatIsStillThereComesBackAsANewOne) {
+TEST_P(SeenAgain, ADeletedObjectThatIsStillThereIsMappedAsANewOne) {
   const SubmapId chair = ChairOf(With(EmptyRoom(), Chair()));
   Make(chair, DeleteEdit{});
   Walk(With(EmptyRoom(), Chair()), 8);
@@ -201,7 +201,7 @@ TEST_P(SeenAgain, ADeletedObjectThatIsStillThereComesBackAsANewOne) {
   EXPECT_GT(ShareWithSurface(Now(), PointsOf(Chair())), 0.35);
 }
 
-TEST_P(SeenAgain, ADeletedObjectStaysAwayWhereItsPlaceWasClearedAndIsKeptClear) {
+TEST_P(SeenAgain, ADeletedObjectIsNotMappedAgainInAnIgnoredRegion) {
   ChairOf(With(EmptyRoom(), Chair()));
   const Eigen::AlignedBox3d around(Eigen::Vector3d(1.29, -0.21, 0.07), Eigen::Vector3d(2.11, 0.61, 1.01));
   Make(std::nullopt, ClearEdit{around, {}, "no-chair-here"});
@@ -233,7 +233,7 @@ TEST_P(SeenAgain, RelabelledStaysRelabelled) {
   EXPECT_EQ(NumFramesOf(chair), num_frames + 30);
 }
 
-TEST_P(SeenAgain, RenamedKeepsItsNameThoughItLeavesAndComesBack) {
+TEST_P(SeenAgain, ARenamedObjectKeepsItsNameAfterAnAbsence) {
   const SubmapId chair = ChairOf(With(EmptyRoom(), Chair()));
   SubmapPatch patch;
   patch.display_name = "Grandmother's";
@@ -248,7 +248,7 @@ TEST_P(SeenAgain, RenamedKeepsItsNameThoughItLeavesAndComesBack) {
   EXPECT_EQ(Now()->Find(chair)->info().display_name, "Grandmother's");
 }
 
-TEST_P(SeenAgain, LockedItOnlyGetsWhenItWasLastSeen) {
+TEST_P(SeenAgain, ALockedObjectChangesOnlyItsLastSeenStamp) {
   const SubmapId chair = ChairOf(With(EmptyRoom(), Chair()));
   SubmapPatch patch;
   patch.is_locked = true;
@@ -312,10 +312,10 @@ TEST_P(SeenAgain, MergedStayMergedThoughTheirPartsStandApart) {
   EXPECT_EQ(ThingsIn(*Now()), std::vector<SubmapId>{things[0]});
 }
 
-/// What lies beyond y = `y_m` becomes an object of its own.
+/// The part beyond y = `y_m` becomes another object.
 SplitEdit BeyondY(double y_m) { return {SplitByPlane{Eigen::Vector3d(0, y_m, 0), Eigen::Vector3d(0, 1, 0)}}; }
 
-TEST_P(SeenAgain, ASplitPartStaysApartThoughFramesShowBothAsOneForAWhile) {
+TEST_P(SeenAgain, ASplitPartStaysSeparateWhileFramesShowBothAsOne) {
   const SubmapId chair = ChairOf(With(EmptyRoom(), Chair()));
   const SubmapId part = Make(chair, SplitEdit{BeyondY(0.2)}).front().created.at(0);
   Walk(With(EmptyRoom(), Chair()), 5);
@@ -324,7 +324,7 @@ TEST_P(SeenAgain, ASplitPartStaysApartThoughFramesShowBothAsOneForAWhile) {
   EXPECT_FALSE(Now()->info().merged.Into(part));
 }
 
-TEST_F(SeenAgainByOverlap, ASplitPartThatFramesTellApartTakesWhatIsSeenOfIt) {
+TEST_F(SeenAgainByOverlap, ASplitPartThatFramesDistinguishReceivesItsObservations) {
   const SubmapId chair = ChairOf(With(EmptyRoom(), Chair()));
   const SubmapId part = Make(chair, SplitEdit{BeyondY(0.2)}).front().created.at(0);
   const std::int64_t num_before = NumFramesOf(chair), num_of_part = NumFramesOf(part);
@@ -337,8 +337,8 @@ TEST_F(SeenAgainByOverlap, ASplitPartThatFramesTellApartTakesWhatIsSeenOfIt) {
   EXPECT_GE(NumFramesOf(part), num_of_part + 15);
 }
 
-/// The rest keeps the id of the whole, so that it gets all frames that show both as one.
-TEST_P(SeenAgain, ASplitPartStaysApartHoweverLongFramesShowBothAsOne) {
+/// The rest keeps the id of the whole, so it receives all frames that show both as one.
+TEST_P(SeenAgain, ASplitPartStaysSeparateHoweverLongFramesShowBothAsOne) {
   const SubmapId chair = ChairOf(With(EmptyRoom(), Chair()));
   const SubmapId part = Make(chair, SplitEdit{BeyondY(0.3)}).front().created.at(0);
   Walk(With(EmptyRoom(), Chair()), 60);

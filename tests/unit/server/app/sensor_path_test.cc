@@ -14,7 +14,7 @@ Transform At(double x_m) {
   return T;
 }
 
-TEST(SensorPath, KeepsPlacesThatAreApartAndTheNewestOne) {
+TEST(SensorPath, KeepsDistantPlacesAndTheNewestOne) {
   SensorPath path;
   EXPECT_TRUE(path.places_m().empty());
   for (const double x_m : {0.0, 0.01, 0.02, 0.06, 0.07}) path.Add(At(x_m));
@@ -25,7 +25,7 @@ TEST(SensorPath, KeepsPlacesThatAreApartAndTheNewestOne) {
   EXPECT_EQ(path.T_map_sensor().translation(), At(0.07).translation());
 }
 
-TEST(SensorPath, OfALongWayIsCoarserAndKeepsItsBeginningAndEnd) {
+TEST(SensorPath, OfALongWayIsCoarserWithItsStartAndEnd) {
   SensorPath path;
   for (int i = 0; i < 100'000; ++i) path.Add(At(0.1 * i));
   const auto places_m = path.places_m();
@@ -36,7 +36,7 @@ TEST(SensorPath, OfALongWayIsCoarserAndKeepsItsBeginningAndEnd) {
   for (std::size_t i = 1; i < places_m.size(); ++i) EXPECT_LT(places_m[i - 1].x(), places_m[i].x());
 }
 
-TEST(FeedTally, TellsWhereItsSensorIsOnceAFrameWasFused) {
+TEST(FeedTally, ReturnsTheSensorsPlaceAfterAFrame) {
   FeedTally tally;
   EXPECT_TRUE(tally.Path().places_m().empty());
   tally.OnFused(1, 7, 1'000'000'000, At(3));

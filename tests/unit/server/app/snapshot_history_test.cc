@@ -43,7 +43,7 @@ class SnapshotHistoryTest : public ::testing::Test {
   Map map_{MapInfo{.name = "m", .history_id = 7}};
 };
 
-TEST_F(SnapshotHistoryTest, FindsTheVeryStatesThatWereStoredAndNoOthers) {
+TEST_F(SnapshotHistoryTest, FindsExactlyTheStoredStates) {
   SnapshotHistory kept(64, budget_);
   const auto first = Next(1);
   const auto passed_over = Next(1);
@@ -61,7 +61,7 @@ TEST_F(SnapshotHistoryTest, FindsTheVeryStatesThatWereStoredAndNoOthers) {
   EXPECT_EQ(Text(kept.Around(9)), "3 none");
 }
 
-TEST_F(SnapshotHistoryTest, OneViewServesAllWhoReadARevision) {
+TEST_F(SnapshotHistoryTest, AllReadersOfARevisionShareOneView) {
   SnapshotHistory kept(64, budget_);
   const auto state = Next(1);
   kept.Keep(state);
@@ -70,14 +70,14 @@ TEST_F(SnapshotHistoryTest, OneViewServesAllWhoReadARevision) {
   EXPECT_EQ(kept.Find(state->revision()), view);
 }
 
-TEST_F(SnapshotHistoryTest, KeepsNoMoreThanSoMany) {
+TEST_F(SnapshotHistoryTest, KeepsALimitedNumber) {
   SnapshotHistory kept(3, budget_);
   std::vector<std::weak_ptr<const MapSnapshot>> states;
   for (int i = 0; i < 10; ++i) {
     const auto state = Next(1);
     states.push_back(state);
     kept.Keep(state);
-    EXPECT_NE(kept.Find(state->revision()), nullptr);  // read, too: a view is let go with its state
+    EXPECT_NE(kept.Find(state->revision()), nullptr);  // read, too: a view is freed with its state
   }
   EXPECT_EQ(kept.size(), 3u);
   for (std::size_t i = 0; i < states.size(); ++i) EXPECT_EQ(states[i].expired(), i < 7) << i;
@@ -86,7 +86,7 @@ TEST_F(SnapshotHistoryTest, KeepsNoMoreThanSoMany) {
   EXPECT_EQ(none.size(), 0u);
 }
 
-TEST_F(SnapshotHistoryTest, ACommitOfWhatIsStoredAlreadyAddsNothing) {
+TEST_F(SnapshotHistoryTest, ACommitOfAStoredStateAddsNothing) {
   SnapshotHistory kept(64, budget_);
   const auto first = Next(1), second = Next(1);
   for (const auto& state : {first, second, second, first}) kept.Keep(state);
@@ -108,8 +108,8 @@ TEST_F(SnapshotHistoryTest, AStateCostsWhatTheNextOneDoesNotShare) {
   EXPECT_EQ(budget_->used_bytes(), kept.bytes());
 }
 
-/// After each state the oldest are gone, exactly as far as they must be.
-TEST_F(SnapshotHistoryTest, KeepsAsManyOfTheLastAsThereIsRoomFor) {
+/// After each state exactly as many of the oldest are dropped as necessary.
+TEST_F(SnapshotHistoryTest, KeepsAsManyRecentStatesAsFit) {
   const std::size_t limit_bytes = 20 * TsdfBlock().MemoryBytes();
   SnapshotHistory kept(64, std::make_shared<ByteBudget>(limit_bytes));
   std::mt19937 random(5);
@@ -124,7 +124,7 @@ TEST_F(SnapshotHistoryTest, KeepsAsManyOfTheLastAsThereIsRoomFor) {
       if (bytes + cost > limit_bytes) break;
       bytes += cost;
     }
-    // What was let go does not come back when there would be room again.
+    // Dropped states do not return when memory is free again.
     EXPECT_LE(kept.size(), num_kept);
     EXPECT_LE(kept.bytes(), limit_bytes);
     for (std::size_t n = 0; n < kept.size(); ++n) {
@@ -134,7 +134,7 @@ TEST_F(SnapshotHistoryTest, KeepsAsManyOfTheLastAsThereIsRoomFor) {
   }
 }
 
-TEST_F(SnapshotHistoryTest, GivesBackItsRoomAndTakesItFromNoOtherMap) {
+TEST_F(SnapshotHistoryTest, ReturnsItsMemoryAndTakesNoneFromOtherMaps) {
   const std::size_t limit_bytes = 12 * TsdfBlock().MemoryBytes();
   const auto shared = std::make_shared<ByteBudget>(limit_bytes);
   {
@@ -181,7 +181,7 @@ TEST_F(SnapshotHistoryTest, SaysWhyARevisionCannotBeRead) {
   EXPECT_NE(between.status().message().find("1 and 3"), std::string::npos) << between.status().message();
 }
 
-TEST_F(SnapshotHistoryTest, AStateOfAnotherHistoryIsNoneOfThisOne) {
+TEST_F(SnapshotHistoryTest, AStateOfAnotherHistoryIsNotFound) {
   SnapshotHistory kept(64, budget_);
   const auto state = Next(1);
   kept.Keep(state);
@@ -209,7 +209,7 @@ TEST_F(SnapshotHistoryTest, AStateCostsItsListsToo) {
   EXPECT_GE(kept.bytes(), before + 2000 * sizeof(ObjectPair));
 }
 
-TEST_F(SnapshotHistoryTest, ThePresentOneIsTheNextWhereNothingLaterIsStored) {
+TEST_F(SnapshotHistoryTest, ThePresentStateFollowsTheLastStoredOne) {
   SnapshotHistory kept(64, budget_);
   (void)Next(1);
   kept.Keep(Next(1));
@@ -223,7 +223,7 @@ TEST_F(SnapshotHistoryTest, ThePresentOneIsTheNextWhereNothingLaterIsStored) {
   EXPECT_EQ(metadata_of(1), (Metadata{{"revision_after", "2"}})) << "there is none before";
 }
 
-TEST_F(SnapshotHistoryTest, WhereVoxelsAreLetGoOfTheNewestIsTheOneWithoutThemAndOlderOnesGo) {
+TEST_F(SnapshotHistoryTest, AnEvictionReplacesTheNewestStateAndDropsOlderOnes) {
   SnapshotHistory kept(64, budget_);
   const auto first = Next(1), second = Next(2);
   kept.Keep(first);

@@ -19,7 +19,7 @@
 #include "server/app/queries/voxel_walk.h"
 #include "tests/unit/mapping/query/stopped_work.h"
 
-// What the server is asked for in bulk ends soon after nobody waits for it any longer.
+// Bulk work ends soon after its caller cancels it.
 
 namespace dhpmap {
 namespace {
@@ -35,7 +35,7 @@ const std::shared_ptr<const MapView>& SheetView() {
   return view;
 }
 
-/// Evenly over all of the sheet, at one height.
+/// Points spread evenly over the sheet, at one height.
 std::vector<Eigen::Vector3d> PointsOverTheSheet(int num_x, int num_y, double z_m) {
   const double width_m = kThingsAlongX * kThingBlocks * testing::kBlock_m;
   const double depth_m = kThingsAlongY * kThingBlocks * testing::kBlock_m;
@@ -54,7 +54,7 @@ bool HasGivenUp(const Status& status) {
   return !status.ok();
 }
 
-/// Runs pieces in place, counts them, and has the caller hang up once so many have been run.
+/// Runs pieces in place, counts them, and cancels after a number of them.
 Spread HangingUpAfter(std::size_t num_pieces, std::stop_source& caller, std::size_t& num_run) {
   return [&caller, &num_run, num_pieces](std::size_t count, const std::function<void(std::size_t)>& body) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -65,7 +65,7 @@ Spread HangingUpAfter(std::size_t num_pieces, std::stop_source& caller, std::siz
   };
 }
 
-TEST(StoppedPointLookUp, AnswersNothingOfTheBatchThatWasUnderWay) {
+TEST(StoppedPointLookUp, AnswersNothingOfTheRunningBatch) {
   const auto points_m = PointsOverTheSheet(400, 200, 0);
   std::stop_source caller;
   std::size_t num_run = 0;
@@ -84,7 +84,7 @@ TEST(StoppedPointLookUpClock, EndsSoon) {
   });
 }
 
-TEST(StoppedDistanceLookUp, MakesNoMoreSurfacesAndAnswersNothingOfTheBatchThatWasUnderWay) {
+TEST(StoppedDistanceLookUp, MakesNoFurtherSurfacesAndAnswersNothingOfTheRunningBatch) {
   const auto points_m = PointsOverTheSheet(128, 64, 0);  // a batch, which goes from one end of the map to the other
   SurfaceCache all(kRoomForAll), part(kRoomForAll);
   ASSERT_TRUE(LookUpDistances(*SheetView(), all, {}, points_m, {}, InPlace, [](const SurfaceDistance&) {}).ok());
@@ -100,7 +100,7 @@ TEST(StoppedDistanceLookUp, MakesNoMoreSurfacesAndAnswersNothingOfTheBatchThatWa
   EXPECT_LT(part.bytes(), all.bytes() / 2) << "of one of eight pieces, and what is around it";
 }
 
-TEST(StoppedDistanceGrid, GoesNoFartherThanABatch) {
+TEST(StoppedDistanceGrid, EndsAfterTheRunningBatch) {
   GridQuestion question{.corner_m = {0.05, 0.05, 0}, .resolution_m = 0.1};
   question.size = {250, 120, 2};
   SurfaceCache cache(kRoomForAll);
@@ -119,7 +119,7 @@ TEST(StoppedDistanceGrid, GoesNoFartherThanABatch) {
   EXPECT_LT(4 * num_nodes, question.num_nodes());
 }
 
-TEST(StoppedCastRays, EndsWithTheRayThatWasUnderWay) {
+TEST(StoppedCastRays, EndsAfterTheRunningRay) {
   SurfaceCache cache(kRoomForAll);
   std::vector<Ray> rays;
   const auto points_m = PointsOverTheSheet(100, 50, 0.3);
@@ -150,7 +150,7 @@ TEST(StoppedCheckBodiesClock, EndsSoon) {
   testing::ExpectEndsSoonAfterAStop(check);
 }
 
-TEST(StoppedCheckTrajectories, AnswersOnlyThoseItHasCheckedAndAsksForNoMore) {
+TEST(StoppedCheckTrajectories, AnswersOnlyCheckedOnesAndRequestsNoMore) {
   SurfaceCache cache(kRoomForAll);
   const auto starts_m = PointsOverTheSheet(20, 10, 0.3);
   std::stop_source caller;
@@ -229,7 +229,7 @@ TEST(StoppedExportMeshClock, EndsSoonWhileItCounts) {
   });
 }
 
-TEST(StoppedExportMesh, IsLeftBetweenPiecesOfBoundedSize) {
+TEST(StoppedExportMesh, EndsBetweenPiecesOfBoundedSize) {
   auto file = ExportMesh(SheetView()->shared_snapshot(), {});
   ASSERT_TRUE(file.ok());
   constexpr std::size_t kMostInPiece = 200'000;
@@ -243,7 +243,7 @@ TEST(StoppedExportMesh, IsLeftBetweenPiecesOfBoundedSize) {
   EXPECT_GT(num_pieces, 40u) << "each of some percent of the whole, at most";
 }
 
-TEST(StoppedVoxelWalk, IsLeftBetweenBlocks) {
+TEST(StoppedVoxelWalk, EndsBetweenBlocks) {
   auto walk = VoxelWalk::Begin(SheetView()->shared_snapshot(), SubmapId(1), 0);
   ASSERT_TRUE(walk.ok());
   int num_calls = 0;

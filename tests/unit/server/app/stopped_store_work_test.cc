@@ -19,7 +19,7 @@
 #include "tests/support/scenes.h"
 #include "tests/unit/mapping/query/stopped_work.h"
 
-// Work on the file ends soon after nobody waits for it any longer, and leaves nothing behind.
+// Cancelled work on the file ends soon and leaves nothing behind.
 
 namespace dhpmap {
 namespace {
@@ -73,7 +73,7 @@ class LargeStoreClock : public ::testing::Test {
   static std::ptrdiff_t NumFiles() {
     return std::distance(std::filesystem::directory_iterator(folder_->path()), std::filesystem::directory_iterator());
   }
-  /// Whether it was cancelled; else it went well.
+  /// Whether the work was cancelled; else it succeeded.
   static bool WasLeft(const Status& status) {
     EXPECT_TRUE(status.ok() || status.code() == StatusCode::kCancelled) << status.ToString();
     return !status.ok();
@@ -85,7 +85,7 @@ class LargeStoreClock : public ::testing::Test {
   std::ptrdiff_t num_files_ = 0;
 };
 
-TEST_F(LargeStoreClock, ALookThroughAMapEndsSoonAfterTheCallerIsGone) {
+TEST_F(LargeStoreClock, AVerificationEndsSoonAfterACancellation) {
   testing::ExpectEndsSoonAfterAStop([](const std::stop_token& stop) {
     const auto report = registry_->Verify(kMapName, /*repair=*/false, stop);
     if (report.ok()) {
@@ -95,13 +95,13 @@ TEST_F(LargeStoreClock, ALookThroughAMapEndsSoonAfterTheCallerIsGone) {
   });
 }
 
-TEST_F(LargeStoreClock, ABackupEndsSoonAfterTheCallerIsGone) {
+TEST_F(LargeStoreClock, ABackupEndsSoonAfterACancellation) {
   testing::ExpectEndsSoonAfterAStop(
       [](const std::stop_token& stop) { return WasLeft(registry_->Backup(stop).status()); });
 }
 
 /// Else the last part of it would be all of it, and nothing ends that.
-TEST_F(LargeStoreClock, ABackupIsWrittenWhileItIsMade) {
+TEST_F(LargeStoreClock, ABackupIsWrittenIncrementally) {
   constexpr int kTries = 20;  // the thread that looks may come too late
   const auto is_any_written = [] {
     std::error_code gone;
@@ -123,12 +123,12 @@ TEST_F(LargeStoreClock, ABackupIsWrittenWhileItIsMade) {
   ADD_FAILURE() << "nothing of it was there before it was done";
 }
 
-TEST_F(LargeStoreClock, AnExportEndsSoonAfterTheCallerIsGone) {
+TEST_F(LargeStoreClock, AnExportEndsSoonAfterACancellation) {
   testing::ExpectEndsSoonAfterAStop(
       [](const std::stop_token& stop) { return WasLeft(registry_->Export(kMapName, stop).status()); });
 }
 
-TEST_F(LargeStoreClock, TakingAMapInEndsSoonAfterTheCallerIsGone) {
+TEST_F(LargeStoreClock, AnImportEndsSoonAfterACancellation) {
   constexpr std::size_t kMore = std::size_t{64} << 20;  // than the file has
   const auto file = registry_->Export(kMapName, {});
   ASSERT_TRUE(file.ok());

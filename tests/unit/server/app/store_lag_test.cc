@@ -8,7 +8,7 @@ namespace {
 
 StoreLag::Clock::time_point At(int seconds) { return StoreLag::Clock::time_point(std::chrono::seconds(seconds)); }
 
-TEST(StoreLag, IsTheAgeOfWhatIsNotStored) {
+TEST(StoreLag, IsTheAgeOfTheOldestUnstoredFrame) {
   StoreLag lag;
   EXPECT_EQ(lag.Seconds(At(100)), 0);
   lag.OnFused(1, At(100));
@@ -20,7 +20,7 @@ TEST(StoreLag, IsTheAgeOfWhatIsNotStored) {
   EXPECT_EQ(lag.Seconds(At(1000)), 0);
 }
 
-TEST(StoreLag, OfAStoreThatKeepsUpStaysSmallHoweverLongFramesCome) {
+TEST(StoreLag, OfAStoreThatKeepsUpStaysSmall) {
   StoreLag lag;
   double worst_s = 0;
   for (int second = 1; second < 1000; ++second) {

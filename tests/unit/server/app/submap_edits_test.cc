@@ -38,7 +38,7 @@ class SubmapEditsTest : public ::testing::Test {
   std::shared_ptr<const MapSnapshot> snapshot;
 };
 
-TEST_F(SubmapEditsTest, WhatIsAPartOfAnotherIsNotFoundAndNamesTheOther) {
+TEST_F(SubmapEditsTest, AMergedSubmapIsNotFoundAndNamesItsSuccessor) {
   map.mutable_info().name = "m";
   map.mutable_info().merged.Add(SubmapId(7), thing);
   const Status status = DeleteSubmap(map, SubmapId(7), "");
@@ -48,7 +48,7 @@ TEST_F(SubmapEditsTest, WhatIsAPartOfAnotherIsNotFoundAndNamesTheOther) {
   EXPECT_EQ(DeleteSubmap(map, SubmapId(8), "").reason(), Reason("SUBMAP_NOT_FOUND"));
 }
 
-TEST_F(SubmapEditsTest, ARefusedEditIsNoNewRevision) {
+TEST_F(SubmapEditsTest, ARefusedEditMakesNoRevision) {
   SubmapPatch bad_pose{.T_map_submap = Transform::Identity()};
   bad_pose.T_map_submap->translation().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(PatchSubmap(map, thing, "", bad_pose).code(), StatusCode::kInvalidArgument);
@@ -77,7 +77,7 @@ TEST_F(SubmapEditsTest, APoseBeyondTheGridIsRefusedWithTheLimitAndWhatToDo) {
   EXPECT_EQ(map.Publish(1), snapshot);
 }
 
-TEST_F(SubmapEditsTest, SingleNumbersOfAPoseChangeThePresentOne) {
+TEST_F(SubmapEditsTest, SingleComponentsOfAPoseChangeThePresentOne) {
   Transform T = Transform::Identity();
   T.translation() = Eigen::Vector3d(1, 2, 3);
   T.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -115,7 +115,7 @@ TEST_F(SubmapEditsTest, ARelabelledClassIsFixed) {
   EXPECT_NE(EtagOf(*map.Find(thing), map.info()), EtagOf(*snapshot->Find(thing), snapshot->info()));
 }
 
-TEST_F(SubmapEditsTest, WhatIsSoAlreadyIsNoNewRevision) {
+TEST_F(SubmapEditsTest, AnEditWithoutEffectMakesNoRevision) {
   Transform T = Transform::Identity();
   T.translation() = Eigen::Vector3d(1, 2, 3);
   T.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
@@ -141,7 +141,7 @@ TEST_F(SubmapEditsTest, WhatIsSoAlreadyIsNoNewRevision) {
   EXPECT_EQ(ThingInfo().edited_revision, before->revision() + 1);
 }
 
-TEST_F(SubmapEditsTest, WhatItHadByItselfIsAChangeTheFirstTimeSomebodySetsIt) {
+TEST_F(SubmapEditsTest, SettingADefaultExplicitlyIsAChangeOnce) {
   const SubmapPatch patches[] = {{.class_id = ClassId(1)},
                                  {.T_map_submap = Transform::Identity()},
                                  {.display_name = DisplayNameOf(ThingInfo(), *map.info().label_set)}};
@@ -155,7 +155,7 @@ TEST_F(SubmapEditsTest, WhatItHadByItselfIsAChangeTheFirstTimeSomebodySetsIt) {
   EXPECT_EQ(map.Publish(1)->revision(), snapshot->revision() + 1);
 }
 
-TEST_F(SubmapEditsTest, WhatIsAbsentOrPartlyGoneIsPutBackByAMoveToWhereItIs) {
+TEST_F(SubmapEditsTest, MovingAnAbsentOrPartlyGoneObjectToItsPlaceRestoresIt) {
   const SubmapPatch stay{.T_map_submap = Transform::Identity()};
   ASSERT_TRUE(PatchSubmap(map, thing, stay).value());
   map.FindMutable(thing)->mutable_info().presence = Presence::kAbsent;
@@ -167,7 +167,7 @@ TEST_F(SubmapEditsTest, WhatIsAbsentOrPartlyGoneIsPutBackByAMoveToWhereItIs) {
   EXPECT_FALSE(PatchSubmap(map, thing, stay).value());
 }
 
-TEST_F(SubmapEditsTest, AnEtagHoldsThroughFramesUntilTheNextEdit) {
+TEST_F(SubmapEditsTest, AnEtagIsValidThroughFramesUntilTheNextEdit) {
   const std::string read = EtagOf(*map.Find(thing), map.info());
   map.FindMutable(thing)->MutableTsdf({0, 0, 0}).weight[0] = 9;  // as a frame does
   map.Publish(1);
@@ -180,7 +180,7 @@ TEST_F(SubmapEditsTest, AnEtagHoldsThroughFramesUntilTheNextEdit) {
   EXPECT_TRUE(DeleteSubmap(map, thing, EtagOf(*map.Find(thing), map.info())).ok());
 }
 
-TEST_F(SubmapEditsTest, AnEtagIsOfOneObjectAndACopyLeavesThatOfTheOriginalAlone) {
+TEST_F(SubmapEditsTest, AnEtagBelongsToOneObjectAndACopyKeepsTheOriginals) {
   const auto copy = CloneSubmap(map, thing, "", {});
   ASSERT_TRUE(copy.ok());
   ASSERT_TRUE(PatchSubmap(map, thing, "", {.display_name = "lamp"}).ok());
@@ -194,7 +194,7 @@ TEST_F(SubmapEditsTest, AnEtagIsOfOneObjectAndACopyLeavesThatOfTheOriginalAlone)
   EXPECT_TRUE(DeleteSubmap(map, thing, of_thing).ok());
 }
 
-TEST_F(SubmapEditsTest, AnEtagOfAStateThatWasLostIsRefused) {
+TEST_F(SubmapEditsTest, AnEtagOfALostStateIsRefused) {
   const LostRevisions lost = {{ThingInfo().revision, ThingInfo().revision}};
   const std::string read = EtagOf(*map.Find(thing), map.info());
   map.FindMutable(thing)->MutableTsdf({0, 0, 0}).weight[0] = 9;
@@ -205,7 +205,7 @@ TEST_F(SubmapEditsTest, AnEtagOfAStateThatWasLostIsRefused) {
   EXPECT_TRUE(DeleteSubmap(map, thing, EtagOf(*map.Find(thing), map.info()), lost).ok());
 }
 
-TEST_F(SubmapEditsTest, AMoveLeavesTheVoxelsAlone) {
+TEST_F(SubmapEditsTest, AMoveDoesNotChangeVoxels) {
   SubmapPatch move{.T_map_submap = Transform::Identity()};
   move.T_map_submap->translation() = Eigen::Vector3d(3, 0, 0);
   ASSERT_TRUE(PatchSubmap(map, thing, "", move).ok());
@@ -214,7 +214,7 @@ TEST_F(SubmapEditsTest, AMoveLeavesTheVoxelsAlone) {
   EXPECT_NEAR(moved->Find(thing)->BoundingSphereInMap().center_m.x(), 3.4, 1e-12);
 }
 
-TEST_F(SubmapEditsTest, FiltersGoByClassKindAndPlace) {
+TEST_F(SubmapEditsTest, FiltersSelectByClassKindAndPlace) {
   EXPECT_EQ(SelectSubmaps(*snapshot, {}).size(), 2u);
   EXPECT_EQ(SelectSubmaps(*snapshot, {.classes = std::vector{ClassId(1)}}).size(), 1u);
   EXPECT_EQ(SelectSubmaps(*snapshot, {.classes = std::vector{ClassId(0)}}).size(), 0u);  // unknown has no class
@@ -227,7 +227,7 @@ TEST_F(SubmapEditsTest, FiltersGoByClassKindAndPlace) {
   EXPECT_EQ(SelectSubmaps(*snapshot, {.near = BoundingSphere{{2, 0.4, 0.4}, 0.5}}).size(), 0u);
 }
 
-TEST_F(SubmapEditsTest, StatsCountWhatIsThere) {
+TEST_F(SubmapEditsTest, StatsCountTheContent) {
   const MapStats stats = ComputeStats(*snapshot, true);
   EXPECT_EQ(stats.num_submaps, 2);
   EXPECT_EQ(stats.num_things, 1);

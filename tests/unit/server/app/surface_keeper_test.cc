@@ -14,7 +14,7 @@ namespace {
 
 class SurfaceKeeperTest : public ::testing::Test {
  protected:
-  /// Near the ball alone.
+  /// Queries near the ball only.
   double Ask() { return Ask(cache_); }
   double Ask(SurfaceCache& cache) {
     return DistanceQuery(cache.Of(map_.published()), {.max_distance_m = 0.2}).At({0.45, 0, 0}).distance_m;
@@ -34,7 +34,7 @@ class SurfaceKeeperTest : public ::testing::Test {
   SurfaceCache cache_{std::size_t{1} << 30};
 };
 
-TEST_F(SurfaceKeeperTest, MakesWhatWasAskedForBeforeItIsAskedForAgain) {
+TEST_F(SurfaceKeeperTest, RefreshesRequestedSurfacesAheadOfTheNextQuery) {
   SurfaceKeeper keeper(cache_);
   (void)Ask();
   const std::size_t of_one_ball = cache_.bytes();
@@ -51,7 +51,7 @@ TEST_F(SurfaceKeeperTest, MakesWhatWasAskedForBeforeItIsAskedForAgain) {
   EXPECT_EQ(cache_.bytes(), ready) << "nothing else was made, by either";
 }
 
-TEST_F(SurfaceKeeperTest, SaysWhenAllIsMadeThatWasAskedFor) {
+TEST_F(SurfaceKeeperTest, ReportsWhenAllRequestedSurfacesAreMade) {
   SurfaceKeeper keeper(cache_);
   std::atomic<int> num_ready = 0;
   EXPECT_FALSE(keeper.Note(map_.published(), [&] { ++num_ready; })) << "nobody has asked";
@@ -69,7 +69,7 @@ TEST_F(SurfaceKeeperTest, SaysWhenAllIsMadeThatWasAskedFor) {
   EXPECT_EQ(num_ready, 3);
 }
 
-TEST_F(SurfaceKeeperTest, MakesNothingForWhomNobodyAsks) {
+TEST_F(SurfaceKeeperTest, MakesNoSurfacesOfUnqueriedMaps) {
   SurfaceKeeper keeper(cache_);
   for (int i = 0; i < 20; ++i) {
     Grow(0.001 * i);
@@ -79,7 +79,7 @@ TEST_F(SurfaceKeeperTest, MakesNothingForWhomNobodyAsks) {
   EXPECT_EQ(cache_.bytes() + cache_.num_tiles(), 0u);
 }
 
-TEST_F(SurfaceKeeperTest, EndsAtAnyTimeAndNotesNothingAfterwards) {
+TEST_F(SurfaceKeeperTest, StopsAtAnyTimeAndIgnoresLaterStates) {
   for (int round = 0; round < 30; ++round) {
     SurfaceKeeper keeper(cache_);
     for (int i = 0; i < round % 4; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects that were deleted come back.
+// Restoring deleted objects.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -16,7 +16,7 @@ using testing::StoreKind;
 
 class UndeleteTest : public testing::EditUndoTest {};
 
-TEST_P(UndeleteTest, ADeletedObjectComesBackUnderItsId) {
+TEST_P(UndeleteTest, ADeletedObjectIsRestoredUnderItsId) {
   const std::string before = Stored();
   ASSERT_TRUE(Do({On(2, DeleteEdit{}), Rename(1, "lamp")}).ok());
   ASSERT_TRUE(Do({Rename(3, "sofa")}).ok());
@@ -36,7 +36,7 @@ TEST_P(UndeleteTest, ADeletedObjectComesBackUnderItsId) {
   ExpectIntact();
 }
 
-TEST_P(UndeleteTest, OfObjectsThatWereDeletedTogetherEachComesBackWithWhatItLeft) {
+TEST_P(UndeleteTest, ObjectsDeletedTogetherAreRestoredWithTheirOwnVoxels) {
   const auto undelete = [this](std::uint32_t id) {
     return Commit("ben", [&](Map& edited) { return UndeleteSubmap(SubmapId(id), *store, edited); });
   };
@@ -53,7 +53,7 @@ TEST_P(UndeleteTest, OfObjectsThatWereDeletedTogetherEachComesBackWithWhatItLeft
   ExpectIntact();
 }
 
-TEST_P(UndeleteTest, WhatMustBeTwoIsSoWhenOneOfThemComesBack) {
+TEST_P(UndeleteTest, AVerdictOfTwoObjectsSurvivesADeletionAndARestore) {
   constexpr SubmapId kPart(6);
   const auto undelete = [this](SubmapId id) {
     return Commit("ben", [&](Map& edited) { return UndeleteSubmap(id, *store, edited); });
@@ -79,7 +79,7 @@ TEST_P(UndeleteTest, WhatMustBeTwoIsSoWhenOneOfThemComesBack) {
   ExpectIntact();
 }
 
-TEST_P(UndeleteTest, WhatGaveVoxelsAwayBeforeItWasDeletedComesBackWithAllOfTheEdit) {
+TEST_P(UndeleteTest, AnObjectThatLostVoxelsBeforeItsDeletionIsRestoredCompletely) {
   ASSERT_TRUE(Do({Split(2, 3), On(2, DeleteEdit{})}).ok());
   const std::int64_t edit = map->info().revision;
   const Status alone = Commit("ben", [&](Map& edited) { return UndeleteSubmap(SubmapId(2), *store, edited); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What undoing must not do to tracks, merged objects and spheres, whatever came between.
+// An undo preserves tracks, merged objects and spheres, whatever happened in between.
 #include <string>
 
 #include "tests/unit/server/app/edit_undo_fixture.h"
@@ -12,7 +12,7 @@ using testing::SpheresHoldWhatWasObserved;
 
 class UndoLaws : public testing::EditUndoTest {
  protected:
-  /// A frame of a session whose front end calls the object so.
+  /// A frame of a session that uses this track id for the object.
   void TrackAs(SubmapId id, const std::string& session, std::uint32_t track_id) {
     const auto before = map->published();
     SubmapInfo& info = map->FindMutable(id)->mutable_info();
@@ -23,7 +23,7 @@ class UndoLaws : public testing::EditUndoTest {
   const SubmapInfo& InfoOf(SubmapId id) { return map->Find(id)->info(); }
 };
 
-TEST_P(UndoLaws, AMergeIntoALaterObjectGivesTheTrackBack) {
+TEST_P(UndoLaws, UndoingAMergeIntoALaterObjectRestoresTheTrack) {
   TrackAs(SubmapId(1), "robot", 7);
   ASSERT_TRUE(Do({On(2, MergeEdit{{SubmapId(1)}})}).ok());
   ASSERT_EQ(InfoOf(SubmapId(2)).sightings.TrackOf("robot"), 7u);
@@ -34,7 +34,7 @@ TEST_P(UndoLaws, AMergeIntoALaterObjectGivesTheTrackBack) {
   EXPECT_EQ(InfoOf(SubmapId(2)).track_id, 0u);
 }
 
-TEST_P(UndoLaws, ADeletionGivesTheTrackBackThatAnotherSessionHasForAnotherObject) {
+TEST_P(UndoLaws, UndoingADeletionRestoresTheTrackBesideAnotherSessions) {
   TrackAs(SubmapId(1), "first", 7);
   TrackAs(SubmapId(2), "second", 7);
   ASSERT_TRUE(Do({On(1, DeleteEdit{})}).ok());
@@ -43,7 +43,7 @@ TEST_P(UndoLaws, ADeletionGivesTheTrackBackThatAnotherSessionHasForAnotherObject
   EXPECT_EQ(InfoOf(SubmapId(1)).track_id, 7u);
 }
 
-TEST_P(UndoLaws, ADeletionOfWhatIsAPartOfAnotherByNowIsNotUndone) {
+TEST_P(UndoLaws, ADeletionOfAnObjectMergedSinceIsNotUndone) {
   ASSERT_TRUE(Do({On(1, DeleteEdit{})}).ok());
   const std::int64_t deletion = map->info().revision;
   const Status back = Commit("anna", [this](Map& edited) { return UndeleteSubmap(SubmapId(1), *store, edited); });
@@ -55,7 +55,7 @@ TEST_P(UndoLaws, ADeletionOfWhatIsAPartOfAnotherByNowIsNotUndone) {
   EXPECT_EQ(map->info().merged.Into(SubmapId(1)), SubmapId(2));
 }
 
-TEST_P(UndoLaws, AClearingThatIsDoneAgainLeavesWhatFramesHaveAddedInTheSphere) {
+TEST_P(UndoLaws, RedoingAClearKeepsLaterObservationsInTheSphere) {
   Observe(SubmapId(1), {10, 0, 0});
   const Eigen::AlignedBox3d end(block_m() * Eigen::Vector3d(9.5, -1, -1), block_m() * Eigen::Vector3d(11.5, 1, 1));
   ASSERT_TRUE(Do({On(1, ClearEdit{end, {}})}).ok());

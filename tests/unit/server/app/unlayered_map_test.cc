@@ -14,7 +14,7 @@
 #include "server/app/queries/trajectory_check.h"
 #include "tests/unit/mapping/query/surface_scene.h"
 
-// What the server says of a map without a layer of free space.
+// Answers about a map without a free-space layer.
 
 namespace dhpmap {
 namespace {
@@ -66,7 +66,7 @@ TEST_F(UnlayeredMapOnServer, DistancesAreUnknown) {
   }
 }
 
-TEST_F(UnlayeredMapOnServer, RaysEndWhereUnknownBegins) {
+TEST_F(UnlayeredMapOnServer, RaysEndAtUnknownSpace) {
   std::vector<Ray> rays;
   for (const Eigen::Vector3d& p : unseen_) rays.push_back({p, Eigen::Vector3d::UnitY()});
   rays.push_back({{0.6, 0, 0}, Eigen::Vector3d::UnitX()});
@@ -81,7 +81,7 @@ TEST_F(UnlayeredMapOnServer, RaysEndWhereUnknownBegins) {
   EXPECT_NEAR(hits.back().free_m, 0.05, 0.011) << "to the end of the band";
 }
 
-TEST_F(UnlayeredMapOnServer, BodiesAndMotionsAreStoppedByIt) {
+TEST_F(UnlayeredMapOnServer, UnknownSpaceBlocksBodiesAndMotions) {
   CheckQuestion question;
   std::vector<Body> bodies;
   for (const Eigen::Vector3d& p : unseen_) bodies.push_back(Capsule{p, p, 0.05});

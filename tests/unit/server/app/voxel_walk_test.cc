@@ -35,7 +35,7 @@ std::vector<ObservedVoxel> AllVoxels(const std::shared_ptr<const MapSnapshot>& s
   return voxels;
 }
 
-TEST(VoxelWalk, LeavesOutWhatSensorsHaveLookedThrough) {
+TEST(VoxelWalk, OmitsContradictedVoxels) {
   const auto all = AllVoxels(PlaneLookedThrough(0), 0);
   ASSERT_EQ(all.size(), 4u * kBlockVoxels);
   const auto left = AllVoxels(PlaneLookedThrough(GoneBlock::kContradicted), 0);
@@ -56,7 +56,7 @@ TEST(VoxelWalk, LeavesOutWhatSensorsHaveLookedThrough) {
   EXPECT_GT(num_near, 0u);
 }
 
-TEST(VoxelWalk, HoldsWhatIsOnlyDoubted) {
+TEST(VoxelWalk, ContainsDoubtedVoxels) {
   EXPECT_EQ(AllVoxels(PlaneLookedThrough(GoneBlock::kContradicted - 1), 0).size(), 4u * kBlockVoxels);
 }
 

@@ -18,7 +18,7 @@
 namespace dhpmap {
 namespace {
 
-/// A queue whose jobs, refusals and chores write down that they were there, in their order.
+/// A queue that records the order of its jobs, refusals and chores.
 class WriterQueueTest : public ::testing::Test {
  protected:
   static constexpr std::size_t kMaxEdits = 2;
@@ -48,7 +48,7 @@ class WriterQueueTest : public ::testing::Test {
                   .refuse = [this, name](const Status& why) { Note(name + ": " + std::string(why.reason().name())); },
                   .is_edit = is_edit});
   }
-  /// Keeps the thread busy until Free. Returns when it is.
+  /// Keeps the thread busy until Free. Returns once it is busy.
   void Hold() {
     std::promise<void> holds;
     queue_->Post({.run =
@@ -67,14 +67,14 @@ class WriterQueueTest : public ::testing::Test {
   std::mutex mutex_;
   std::vector<std::string> noted_;
   std::promise<void> free_;
-  // Of the writer thread.
+  // Used by the writer thread.
   std::optional<DueTime> due_;
   int num_chores_ = 0;
   std::latch has_done_two_{1};
   std::unique_ptr<WriterQueue> queue_;
 };
 
-TEST_F(WriterQueueTest, JobsRunInTheOrderOfTheCallsAndTheLastChoreAfterAll) {
+TEST_F(WriterQueueTest, JobsRunInOrderAndTheLastChoreAfterAll) {
   Hold();
   for (const char* name : {"a", "b", "c"}) Post(name);
   EXPECT_TRUE(Noted().empty());
@@ -88,7 +88,7 @@ TEST_F(WriterQueueTest, JobsRunInTheOrderOfTheCallsAndTheLastChoreAfterAll) {
   EXPECT_TRUE(queue_->IsAtRest());
 }
 
-TEST_F(WriterQueueTest, StopRefusesTheJobsThatWaitAndAllLaterOnes) {
+TEST_F(WriterQueueTest, StopRefusesQueuedAndLaterJobs) {
   Hold();
   Post("waits");
   auto stopped = std::async(std::launch::async, [this] { return queue_->Stop(); });
@@ -100,7 +100,7 @@ TEST_F(WriterQueueTest, StopRefusesTheJobsThatWaitAndAllLaterOnes) {
   EXPECT_EQ(Noted(), (std::vector<std::string>{"waits: SHUTTING_DOWN", "finish", "late: SHUTTING_DOWN"}));
 }
 
-TEST_F(WriterQueueTest, AClosedQueueRefusesLaterJobsWithItsReasonAndRunsThoseThatWait) {
+TEST_F(WriterQueueTest, AClosedQueueRefusesLaterJobsAndRunsQueuedOnes) {
   Hold();
   Post("waits");
   queue_->Close(NotFound("the map has been deleted").WithReason("MAP_NOT_FOUND"));
@@ -111,7 +111,7 @@ TEST_F(WriterQueueTest, AClosedQueueRefusesLaterJobsWithItsReasonAndRunsThoseTha
   EXPECT_EQ(Noted(), (std::vector<std::string>{"late: MAP_NOT_FOUND", "waits", "finish"}));
 }
 
-TEST_F(WriterQueueTest, MoreEditsThanMayWaitAreRefusedAndOtherJobsAreNot) {
+TEST_F(WriterQueueTest, OnlyEditsBeyondTheLimitAreRefused) {
   Hold();
   for (const char* name : {"first", "second", "third"}) Post(name, /*is_edit=*/true);
   Post("no edit");
@@ -123,14 +123,14 @@ TEST_F(WriterQueueTest, MoreEditsThanMayWaitAreRefusedAndOtherJobsAreNot) {
   EXPECT_EQ(Noted(), (std::vector<std::string>{"third: TOO_MANY_EDITS", "first", "second", "no edit", "room again"}));
 }
 
-TEST_F(WriterQueueTest, AJobThatThrowsIsForgottenAndTheNextOneRuns) {
+TEST_F(WriterQueueTest, AJobThatThrowsIsDroppedAndTheNextOneRuns) {
   queue_->Post({.run = [] { throw std::runtime_error("job"); }, .refuse = [](const Status&) {}});
   Post("next");
   AwaitRest();
   EXPECT_EQ(Noted(), std::vector<std::string>{"next"});
 }
 
-TEST_F(WriterQueueTest, WhatIsDueIsDoneThoughNoJobComes) {
+TEST_F(WriterQueueTest, DueChoresRunWithoutAJob) {
   queue_->Post({.run = [this] { due_ = DueIn(0.001); }, .refuse = [](const Status&) {}});
   has_done_two_.wait();  // one after the job, one when it is due
 }

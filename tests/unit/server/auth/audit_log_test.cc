@@ -36,7 +36,7 @@ class AuditLogTest : public ::testing::Test {
   const Principal anna{.name = "anna", .key_id = "0123456789ab"};
 };
 
-TEST_F(AuditLogTest, ALineSaysWhoDidWhat) {
+TEST_F(AuditLogTest, ALineNamesCallerAndAction) {
   EXPECT_TRUE(Open()->Write({.principal = &anna, .rpc = "/dhpmap.v1.MapService/DeleteMap", .map = "a"}).ok());
   const Status refused = Status(StatusCode::kUnauthenticated, "no").WithReason("NO_CREDENTIAL");
   EXPECT_TRUE(Open()->Write({.rpc = "/x", .map = "\xff\"\n", .decision = refused}).ok());
@@ -51,7 +51,7 @@ TEST_F(AuditLogTest, ALineSaysWhoDidWhat) {
   EXPECT_EQ(status.st_mode & 07777, 0600u);
 }
 
-TEST_F(AuditLogTest, AFloodOfRefusalsIsCountedAndHidesNothingElse) {
+TEST_F(AuditLogTest, AFloodOfRefusalsIsSummarisedAndHidesNothingElse) {
   const auto log = Open();
   const Status refused = Status(StatusCode::kUnauthenticated, "no").WithReason("NO_CREDENTIAL");
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(log->Write({.rpc = "/x", .decision = refused}).ok());
@@ -69,7 +69,7 @@ TEST_F(AuditLogTest, AFloodOfRefusalsIsCountedAndHidesNothingElse) {
   EXPECT_EQ(Lines()[12].find("left_out"), std::string::npos);
 }
 
-TEST_F(AuditLogTest, WritesOnInANewFileWhenItsOwnHasBeenRenamed) {
+TEST_F(AuditLogTest, ContinuesInANewFileAfterARename) {
   const auto log = Open();
   EXPECT_TRUE(log->Write({.principal = &anna, .rpc = "/before"}).ok());
   const std::filesystem::path old = folder.path() / "audit.jsonl.1";
@@ -88,7 +88,7 @@ TEST_F(AuditLogTest, WritesOnInANewFileWhenItsOwnHasBeenRenamed) {
   EXPECT_EQ(status.st_mode & 07777, 0600u);
 }
 
-TEST_F(AuditLogTest, WritesOnInTheOldFileWhereTheNewOneCannotBeOpened) {
+TEST_F(AuditLogTest, ContinuesInTheOldFileIfTheNewOneCannotBeOpened) {
   const auto log = Open();
   const std::filesystem::path old = folder.path() / "audit.jsonl.1";
   std::filesystem::rename(path, old);
@@ -98,7 +98,7 @@ TEST_F(AuditLogTest, WritesOnInTheOldFileWhereTheNewOneCannotBeOpened) {
   EXPECT_GT(std::filesystem::file_size(old), 0u);
 }
 
-TEST(AuditLog, SaysThatItCannotBeWritten) {
+TEST(AuditLog, ReportsThatItCannotBeWritten) {
   const auto log = AuditLog::Open("/dev/full", SystemWallClock());
   ASSERT_TRUE(log.ok()) << log.status().ToString();
   const Status written = (*log)->Write({.rpc = "/x"});

@@ -53,7 +53,7 @@ std::string Table(const CallTable& table) {
   return text.str();
 }
 
-TEST(CallTable, IsAsItWasReviewed) {
+TEST(CallTable, EqualsTheReviewedTable) {
   const std::filesystem::path file = dhpmap::testing::SourceDir() / "tests/unit/server/auth/permissions.txt";
   const auto table = CallTable::OfLinkedServices();
   ASSERT_TRUE(table.ok()) << table.status().ToString();
@@ -66,7 +66,7 @@ TEST(CallTable, HasEveryRpcOfThePackage) {
   const auto table = CallTable::OfLinkedServices();
   ASSERT_TRUE(table.ok());
   int num_rpcs = 0;
-  // Of the sources, so that a file that nobody links is seen, too.
+  // Reads the sources, so that an unlinked file is found, too.
   for (const auto& entry : std::filesystem::directory_iterator(dhpmap::testing::SourceDir() / "proto/dhpmap/v1")) {
     std::ifstream file(entry.path());
     for (std::string line; std::getline(file, line);) num_rpcs += line.starts_with("  rpc ") ? 1 : 0;
@@ -75,7 +75,7 @@ TEST(CallTable, HasEveryRpcOfThePackage) {
   EXPECT_EQ(table->calls().size(), static_cast<std::size_t>(num_rpcs + kOfGrpc));
 }
 
-/// A service of one rpc, with the options given.
+/// A service with one rpc and the given options.
 class OneRpc {
  public:
   OneRpc(Need need, v1::Access::Maps maps, Meaning meaning, bool is_text = true) {
@@ -108,7 +108,7 @@ class OneRpc {
   const google::protobuf::ServiceDescriptor* service_;
 };
 
-TEST(CallTable, AnRpcThatSaysNothingIsRefused) {
+TEST(CallTable, AnRpcWithoutNeedsIsRefused) {
   using A = v1::Access;
   EXPECT_TRUE(OneRpc(A::READ, A::MAPS_UNSPECIFIED, A::MAP).Check().ok());
   EXPECT_TRUE(OneRpc(A::READ, A::NONE, A::MEANING_UNSPECIFIED).Check().ok());

@@ -29,7 +29,7 @@ TEST(FleetKey, IsTheFirstLineOfAPrivateFile) {
   EXPECT_EQ(FleetKey::Read(path + "x").status().reason(), Reason("BAD_KEY_FILE"));
 }
 
-TEST(FleetKey, IsLongAndPlain) {
+TEST(FleetKey, HasAMinimumLengthAndPlainCharacters) {
   EXPECT_TRUE(FleetKey::Make(kSecret, "a test").ok());
   for (const std::string& text : {std::string(31, 'a'), std::string(1025, 'a'), std::string(40, ' '),
                                   std::string(kSecret) + "\r", std::string(kSecret) + "\xc3\xa4"}) {
@@ -37,7 +37,7 @@ TEST(FleetKey, IsLongAndPlain) {
   }
 }
 
-TEST(FleetKey, APrincipalIsTheSameOnTheOtherSide) {
+TEST(FleetKey, APrincipalIsReadBackUnchanged) {
   for (const Role role : kRoles) {
     const Principal ann{.name = "ann",
                         .key_id = "0123456789ab",

@@ -58,7 +58,7 @@ class GateTest : public ::testing::Test {
   std::string anna;
 };
 
-TEST_F(GateTest, WithoutKeysEverybodyIsLocal) {
+TEST_F(GateTest, WithoutKeysEveryCallerIsLocal) {
   const auto gate = Gate::Open();
   EXPECT_FALSE(gate->has_keys());
   EXPECT_TRUE(gate->CheckCalls().ok());
@@ -66,7 +66,7 @@ TEST_F(GateTest, WithoutKeysEverybodyIsLocal) {
   EXPECT_EQ((*gate->Authenticate({"Bearer x", "y"}))->role, Role::kAdmin);
 }
 
-TEST_F(GateTest, OneKeyLetsIn) {
+TEST_F(GateTest, AValidKeyIsAdmitted) {
   const auto gate = Open();
   EXPECT_EQ((*gate->Authenticate({"Bearer " + anna}))->name, "anna");
   EXPECT_EQ((*gate->Authenticate({"bEARER " + anna}))->name, "anna") << "a scheme has no case";
@@ -78,7 +78,7 @@ TEST_F(GateTest, OneKeyLetsIn) {
   EXPECT_EQ(gate->Authenticate({shown, shown}).status().reason(), Reason("AMBIGUOUS_CREDENTIAL"));
 }
 
-TEST_F(GateTest, WrongKeysOfAnAddressAreThrottledAndRightOnesAreLetIn) {
+TEST_F(GateTest, WrongKeysOfAnAddressAreThrottledAndValidOnesAdmitted) {
   const auto gate = Open();
   const auto from = [&](std::string_view address, const std::string& key) {
     const std::string shown = "Bearer " + key;
@@ -117,7 +117,7 @@ TEST_F(GateTest, TheTableOfWrongKeysIsBounded) {
   EXPECT_EQ(failed.Count("192.0.2.7").reason(), Reason("TOO_MANY_LOGINS")) << "which has not been forgotten";
 }
 
-TEST_F(GateTest, TakesUpWhatHasBecomeOfTheFile) {
+TEST_F(GateTest, ReloadsAChangedFile) {
   const auto gate = Open();
   const std::string bert = Add("bert");
   EXPECT_EQ(Shown(*gate, bert), Reason("BAD_CREDENTIAL"));
@@ -131,14 +131,14 @@ TEST_F(GateTest, TakesUpWhatHasBecomeOfTheFile) {
   EXPECT_TRUE(faults.empty());
 }
 
-TEST_F(GateTest, LooksByItself) {
+TEST_F(GateTest, ReloadsByItself) {
   const auto gate = Gate::WithKeys({.key_file = file, .look_s = 0.001, .now_s = [] { return 10; }});
   ASSERT_TRUE(gate.ok());
   Revoke("anna");
   EXPECT_TRUE(testing::Eventually([&] { return Shown(**gate, anna) == Reason("KEY_REVOKED"); }));
 }
 
-TEST_F(GateTest, AFileThatCannotBeUsedIsToldOfOnceAndTheKeysStay) {
+TEST_F(GateTest, AnUnusableFileIsReportedOnceAndTheKeysStay) {
   const auto gate = Open();
   ASSERT_EQ(chmod(file.c_str(), 0644), 0);
   for (int i = 0; i < 3; ++i) gate->Look();
@@ -179,7 +179,7 @@ TEST_F(GateTest, StreamsEndWithTheirKey) {
   EXPECT_EQ(gate->streams().size(), 1u) << "a place is given back";
 }
 
-TEST_F(GateTest, AStreamMayGiveItsPlaceBackWhileItIsEnded) {
+TEST_F(GateTest, AStreamMayReleaseItsPlaceWhileItIsEnded) {
   const auto gate = Open();
   std::unique_ptr<LiveStreams::Place> place;
   auto taken = gate->streams().Add(*gate->AuthenticateKey(anna), false, [&](const Status&) { place.reset(); });
@@ -190,7 +190,7 @@ TEST_F(GateTest, AStreamMayGiveItsPlaceBackWhileItIsEnded) {
   EXPECT_EQ(gate->streams().size(), 0u);
 }
 
-TEST_F(GateTest, NobodyHasMoreStreamsOrCallsThanOneMay) {
+TEST_F(GateTest, StreamsAndCallsOfACallerAreLimited) {
   const auto gate = Open({.calls_per_s = 10, .burst_calls = 3, .streams = 3, .feeds = 1});
   const PrincipalPtr principal = *gate->AuthenticateKey(anna);
   std::vector<std::unique_ptr<LiveStreams::Place>> places;
@@ -221,7 +221,7 @@ TEST_F(GateTest, NobodyHasMoreStreamsOrCallsThanOneMay) {
   EXPECT_FALSE(gate->Count(*principal).ok()) << "no more is saved up";
 }
 
-TEST_F(GateTest, WhatCannotBeWrittenDownIsRefusedWhereThatIsRequired) {
+TEST_F(GateTest, CallsThatCannotBeAuditedAreRefusedIfRequired) {
   for (const bool is_required : {false, true}) {
     const auto gate = Gate::WithKeys({.key_file = file,
                                       .audit_file = "/dev/full",
@@ -237,7 +237,7 @@ TEST_F(GateTest, WhatCannotBeWrittenDownIsRefusedWhereThatIsRequired) {
   }
 }
 
-TEST_F(GateTest, NobodyHasAllBytesThatMayBeInFlight) {
+TEST_F(GateTest, ACallerGetsOnlyAShareOfTheBudget) {
   const auto all = std::make_shared<ByteBudget>(1000, 10);
   const auto gate = Open();
   const PrincipalPtr principal = *gate->AuthenticateKey(anna);
@@ -254,7 +254,7 @@ TEST_F(GateTest, NobodyHasAllBytesThatMayBeInFlight) {
   EXPECT_EQ(Gate::Open()->BudgetOf(*principal, all), all);
 }
 
-TEST_F(GateTest, ATicketIsGoodOnceAndNoLongerThanItsCall) {
+TEST_F(GateTest, ATicketIsValidOnceAndDuringItsCall) {
   Tickets tickets(random);
   const PrincipalPtr principal = *Open()->AuthenticateKey(anna);
   auto ticket = tickets.Issue(principal);

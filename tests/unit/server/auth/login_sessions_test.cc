@@ -14,7 +14,7 @@ PrincipalPtr Somebody(const std::string& name = "anna") {
   return std::make_shared<const Principal>(Principal{.name = name});
 }
 
-TEST(LoginSessions, AWordIsGoodForItsTimeOrUntilItsEnd) {
+TEST(LoginSessions, AWordIsValidUntilItExpiresOrEnds) {
   LoginSessions logins(KnownBytes());
   const PrincipalPtr anna = Somebody(), bert = Somebody();
   const std::string a = logins.Begin(anna, 100), b = logins.Begin(bert, 200);
@@ -28,7 +28,7 @@ TEST(LoginSessions, AWordIsGoodForItsTimeOrUntilItsEnd) {
   EXPECT_EQ(logins.Find(b, 200), nullptr);
 }
 
-TEST(LoginSessions, BeyondTheMostTheOldestIsForgotten) {
+TEST(LoginSessions, BeyondTheLimitTheOldestIsDropped) {
   LoginSessions logins(SystemRandomness());
   const std::string first = logins.Begin(Somebody("0"), 0), second = logins.Begin(Somebody("1"), 0);
   for (std::size_t i = 2; i < LoginSessions::kMost; ++i) (void)logins.Begin(Somebody(std::to_string(i)), 0);
@@ -38,7 +38,7 @@ TEST(LoginSessions, BeyondTheMostTheOldestIsForgotten) {
   EXPECT_NE(logins.Find(second, 1), nullptr);
 }
 
-TEST(LoginSessions, WhoLogsInOftenLogsNobodyElseOut) {
+TEST(LoginSessions, ManyLoginsOfOneCallerLogNoOtherOut) {
   LoginSessions logins(SystemRandomness());
   const std::string bert = logins.Begin(Somebody("bert"), 0), first = logins.Begin(Somebody(), 0);
   std::string last;

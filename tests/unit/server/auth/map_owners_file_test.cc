@@ -24,7 +24,7 @@ class MapOwnersTest : public ::testing::Test {
   const std::string path = (folder.path() / "maps.db.owners").string();
 };
 
-TEST_F(MapOwnersTest, AreThereAfterARestart) {
+TEST_F(MapOwnersTest, SurviveARestart) {
   EXPECT_TRUE(Open()->Add(7, "anna").ok());
   EXPECT_TRUE(Open()->Add(UINT64_MAX, "b\"ert").ok());
   const auto owners = Open();
@@ -36,7 +36,7 @@ TEST_F(MapOwnersTest, AreThereAfterARestart) {
   EXPECT_EQ(status.st_mode & 07777, 0600u);
 }
 
-TEST_F(MapOwnersTest, ALineThatIsCutOffOrNoneOfOursSpoilsNoOther) {
+TEST_F(MapOwnersTest, ATruncatedOrForeignLineSpoilsNoOther) {
   EXPECT_TRUE(Open()->Add(7, "anna").ok());
   std::ofstream(path, std::ios::app)
       << "\n[1]\n{\"map\": 5}\n{\"map\":\"x\",\"principal\":\"a\"}\n{\"map\":\"9\",\"pri";
@@ -47,7 +47,7 @@ TEST_F(MapOwnersTest, ALineThatIsCutOffOrNoneOfOursSpoilsNoOther) {
   EXPECT_EQ(*owners->OwnerOf(8), "bert");
 }
 
-TEST_F(MapOwnersTest, ForgetMapsThatAreNoMore) {
+TEST_F(MapOwnersTest, ForgetDeletedMaps) {
   const auto owners = Open();
   for (std::uint64_t id = 1; id <= 100; ++id) EXPECT_TRUE(owners->Add(id, "anna").ok());
   const auto before = std::filesystem::file_size(path);
@@ -58,7 +58,7 @@ TEST_F(MapOwnersTest, ForgetMapsThatAreNoMore) {
   EXPECT_EQ(Open()->size(), 3u);
 }
 
-TEST_F(MapOwnersTest, SayWhatCannotBeWritten) {
+TEST_F(MapOwnersTest, ReportAFailedWrite) {
   const auto full = MapOwnersFile::Open("/dev/full");
   ASSERT_TRUE(full.ok()) << full.status().ToString();
   EXPECT_EQ((*full)->Add(7, "anna").reason(), Reason("NOT_STORED"));

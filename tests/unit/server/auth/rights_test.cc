@@ -39,7 +39,7 @@ Request Of(const char* map, bool only_tries = false) {
   return request;
 }
 
-TEST(Rights, AViewerMayTryAnEditAndNotMakeIt) {
+TEST(Rights, AViewerMayTryAnEditButNotMakeIt) {
   const Principal viewer = Anna(Role::kViewer), editor = Anna(Role::kEditor);
   EXPECT_TRUE(CheckRole(viewer, Needs("EditService/ApplyEdits")).ok()) << "it may only try: the message tells";
   EXPECT_EQ(Asked(viewer, "EditService/ApplyEdits", Of<v1::ApplyEditsRequest>("maps/a", true)), Reason());
@@ -49,7 +49,7 @@ TEST(Rights, AViewerMayTryAnEditAndNotMakeIt) {
   EXPECT_EQ(CheckRole(Anna(Role::kRobot), Needs("MapService/CreateMap")).reason(), Reason());
 }
 
-TEST(Rights, TheMapOfARequestIsFoundWhereverItIsNamed) {
+TEST(Rights, TheMapOfARequestIsFoundInAnyField) {
   const Principal narrow = Anna(Role::kAdmin, {"site-*"});
   const auto asked = [&](const char* method, google::protobuf::Message&& request) {
     return CheckRequest(narrow, Needs(method), request).reason();
@@ -75,7 +75,7 @@ TEST(Rights, TheMapOfARequestIsFoundWhereverItIsNamed) {
   }
 }
 
-TEST(Rights, ANameThatIsNoMapsIsForThoseAloneWhoMayAskForAny) {
+TEST(Rights, AnInvalidMapNameNeedsAKeyForAllMaps) {
   for (const char* name :
        {"site-a", "maps", "maps/", "maps//site-a", "/maps/site-a", "maps/../site-a", "MAPS/site-a"}) {
     EXPECT_EQ(Asked(Anna(Role::kViewer, {"site-*"}), "QueryService/QueryPoints", Of<v1::QueryPointsRequest>(name)),
@@ -86,19 +86,19 @@ TEST(Rights, ANameThatIsNoMapsIsForThoseAloneWhoMayAskForAny) {
   }
 }
 
-TEST(Rights, AMapThatIsNotThereAndOneThatIsNotAllowedLookTheSame) {
+TEST(Rights, AMissingAndAForbiddenMapLookTheSame) {
   const Principal narrow = Anna(Role::kViewer, {"a"});
   EXPECT_EQ(CheckMap(narrow, "there").ToString(), CheckMap(narrow, "nowhere").ToString());
 }
 
-TEST(Rights, WhatIsAboutAllMapsIsForThoseWhoMayHaveAll) {
+TEST(Rights, CallsAboutAllMapsNeedAKeyForAllMaps) {
   EXPECT_TRUE(CheckRole(Anna(Role::kAdmin), Needs("MapService/BackupMaps")).ok());
   EXPECT_EQ(CheckRole(Anna(Role::kAdmin, {"*", "!secret"}), Needs("MapService/BackupMaps")).reason(),
             Reason("MAP_NOT_ALLOWED"));
   EXPECT_TRUE(CheckRole(Anna(Role::kViewer, {"a"}), Needs("MapService/ListMaps")).ok()) << "which leaves others out";
 }
 
-TEST(Rights, AnAuthorIsWhoAsks) {
+TEST(Rights, TheAuthorIsTheCaller) {
   const Principal editor = Anna(Role::kEditor);
   v1::ApplyEditsRequest request = Of<v1::ApplyEditsRequest>("maps/a");
   EXPECT_TRUE(CheckRequest(editor, Needs("EditService/ApplyEdits"), request).ok());
@@ -120,7 +120,7 @@ TEST(Rights, AnAuthorIsWhoAsks) {
   EXPECT_EQ(Asked(editor, "EditService/ListEdits", std::move(list)), Reason()) << "a filter claims nothing";
 }
 
-TEST(Rights, ASessionIsItsRobots) {
+TEST(Rights, ASessionBelongsToItsRobot) {
   const auto feeds = [](const char* session, bool takes_over = false) {
     v1::IntegrateFramesRequest request;
     request.set_map("maps/a");

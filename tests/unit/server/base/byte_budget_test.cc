@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(ByteBudget, GivesOutNoMoreThanThereIs) {
+TEST(ByteBudget, GrantsNoMoreThanItsLimit) {
   ByteBudget budget(100);
   ByteShare first(&budget), second(&budget);
   EXPECT_TRUE(first.Resize(60));
@@ -24,7 +24,7 @@ TEST(ByteBudget, GivesOutNoMoreThanThereIs) {
   EXPECT_FALSE(second.Resize(~std::size_t{0})) << "no overflow";
 }
 
-TEST(ByteBudget, OneWithinAnotherTakesOfBothOrOfNone) {
+TEST(ByteBudget, ANestedBudgetTakesFromBothOrNeither) {
   const auto all = std::make_shared<ByteBudget>(100);
   ByteBudget first(60, 0, all), second(60, 0, all);
   EXPECT_FALSE(first.TryTake(61));
@@ -38,7 +38,7 @@ TEST(ByteBudget, OneWithinAnotherTakesOfBothOrOfNone) {
   EXPECT_EQ(all->used_bytes(), 40u);
 }
 
-TEST(ByteBudget, ASharesEndGivesItBack) {
+TEST(ByteBudget, TheEndOfAShareReturnsItsBytes) {
   ByteBudget budget(100);
   {
     ByteShare share(&budget);
@@ -49,8 +49,8 @@ TEST(ByteBudget, ASharesEndGivesItBack) {
   EXPECT_EQ(budget.used_bytes(), 0u);
 }
 
-/// A callback may be freed a moment after it has let go of its share, when the server it was of is gone.
-TEST(ByteBudget, AShareOfNothingMayOutliveIt) {
+/// A callback may be freed shortly after it has released its share, when its server no longer exists.
+TEST(ByteBudget, AnEmptyShareMayOutliveIt) {
   auto budget = std::make_unique<ByteBudget>(100);
   ByteShare released(budget.get()), moved_from(budget.get()), unused(budget.get());
   ASSERT_TRUE(released.Resize(40) && moved_from.Resize(50));
@@ -63,7 +63,7 @@ TEST(ByteBudget, AShareOfNothingMayOutliveIt) {
   budget.reset();  // a sanitizer's build sees who comes back
 }
 
-TEST(ByteBudget, WhatIsSmallCostsNothing) {
+TEST(ByteBudget, SmallSharesCostNothing) {
   ByteBudget budget(100, /*free_bytes=*/10);
   ByteShare large(&budget), small(&budget);
   EXPECT_TRUE(large.Resize(100));
@@ -78,7 +78,7 @@ TEST(ByteBudget, WhatIsSmallCostsNothing) {
   EXPECT_EQ(budget.used_bytes(), 0u);
 }
 
-TEST(ByteBudget, WhatIsHugeTakesAllThereIs) {
+TEST(ByteBudget, AHugeShareTakesTheWholeBudget) {
   ByteBudget budget(100);
   ByteShare huge(&budget), other(&budget);
   ASSERT_TRUE(huge.Resize(1));

@@ -6,7 +6,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(Fingerprint, IsWhatItAlwaysWas) {  // the published values of FNV-1a
+TEST(Fingerprint, EqualsThePublishedValues) {  // the published values of FNV-1a
   EXPECT_EQ(Fingerprint(""), 0xcbf29ce484222325u);
   EXPECT_EQ(Fingerprint("a"), 0xaf63dc4c8601ec8cu);
   EXPECT_EQ(Fingerprint("foobar"), 0x85944171f73967e8u);

@@ -24,7 +24,7 @@ using Plug = testing::LanePlug;
 
 std::shared_ptr<LaneTask> Task(std::function<void()> work) { return std::make_shared<LaneTask>(std::move(work)); }
 
-TEST(Lane, RunsTasksInTheOrderTheyCame) {
+TEST(Lane, RunsTasksInOrder) {
   std::vector<int> order;
   {
     Lane lane({.num_threads = 1});
@@ -35,7 +35,7 @@ TEST(Lane, RunsTasksInTheOrderTheyCame) {
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
-TEST(Lane, WhatIsPostedLastBeginsWhenNothingElseWaits) {
+TEST(Lane, TasksPostedLastRunWhenNoOthersWait) {
   std::vector<int> order;
   {
     Lane lane({.num_threads = 1});
@@ -44,7 +44,7 @@ TEST(Lane, WhatIsPostedLastBeginsWhenNothingElseWaits) {
     ASSERT_TRUE(lane.TryPostLast(Task([&order] { order.push_back(4); })));
     ASSERT_TRUE(lane.TryPost(Task([&order, &lane] {
       order.push_back(0);
-      lane.Post([&order] { order.push_back(2); });  // goes on with it
+      lane.Post([&order] { order.push_back(2); });  // continues with it
     })));
     ASSERT_TRUE(lane.TryPost(Task([&order] { order.push_back(1); })));
     plug.Release();
@@ -52,7 +52,7 @@ TEST(Lane, WhatIsPostedLastBeginsWhenNothingElseWaits) {
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
-TEST(Lane, CountsWhatIsPostedLastAmongWhatWaits) {
+TEST(Lane, CountsTasksPostedLastAsWaiting) {
   Lane lane({.num_threads = 1, .max_waiting = 2});
   Plug plug(lane);
   const auto dead = Task([] {});
@@ -64,7 +64,7 @@ TEST(Lane, CountsWhatIsPostedLastAmongWhatWaits) {
   plug.Release();
 }
 
-TEST(Lane, TakesNoMoreThanMayWait) {
+TEST(Lane, AcceptsALimitedNumberOfWaitingTasks) {
   Lane lane({.num_threads = 1, .max_waiting = 2});
   Plug plug(lane);
   EXPECT_TRUE(lane.TryPost(Task([] {})));
@@ -73,7 +73,7 @@ TEST(Lane, TakesNoMoreThanMayWait) {
   plug.Release();
 }
 
-TEST(Lane, WorkThatWasGivenUpNeverRunsAndLeavesItsPlace) {
+TEST(Lane, CancelledWorkNeverRunsAndFreesItsPlace) {
   std::atomic<int> runs = 0;
   {
     Lane lane({.num_threads = 1, .max_waiting = 2});
@@ -90,7 +90,7 @@ TEST(Lane, WorkThatWasGivenUpNeverRunsAndLeavesItsPlace) {
   EXPECT_EQ(runs, 2);
 }
 
-TEST(Lane, GivingUpFreesWhatTheWorkHeldWhileItStillWaits) {
+TEST(Lane, CancellingFreesTheWorksMemoryAtOnce) {
   Lane lane({.num_threads = 1});
   Plug plug(lane);
   auto held = std::make_shared<int>(7);
@@ -102,7 +102,7 @@ TEST(Lane, GivingUpFreesWhatTheWorkHeldWhileItStillWaits) {
   plug.Release();
 }
 
-TEST(Lane, WorkThatHasBegunCannotBeGivenUp) {
+TEST(Lane, RunningWorkCannotBeCancelled) {
   std::promise<void> begun, release;
   Lane lane({.num_threads = 1});
   const auto task = Task([&] {
@@ -115,12 +115,12 @@ TEST(Lane, WorkThatHasBegunCannotBeGivenUp) {
   release.set_value();
 }
 
-TEST(Lane, SharesItemsWithThreadsThatHaveNothingElseToDo) {
+TEST(Lane, SharesItemsWithIdleThreads) {
   Lane lane({.num_threads = 3});
   std::atomic<int> arrived = 0;
   std::array<std::atomic<int>, 100> times{};
   lane.Share(times.size(), [&](std::size_t i) {
-    // The first two end together only if two threads take them.
+    // The first two end together only if two threads run them.
     ++arrived;
     EXPECT_TRUE(i >= 2 || testing::Eventually([&] { return arrived >= 2; }));
     ++times[i];
@@ -140,7 +140,7 @@ TEST(Lane, ABusyLaneLeavesAllToTheCaller) {
   may_go_on.set_value();
 }
 
-TEST(Lane, WhatAnItemThrowsIsTheCallersOnceTheOthersHaveEnded) {
+TEST(Lane, AnItemsExceptionReachesTheCallerAfterTheOthersHaveEnded) {
   Lane lane({.num_threads = 3});
   for (int round = 0; round < 100; ++round) {
     std::atomic<int> begun = 0, ended = 0;
@@ -154,8 +154,8 @@ TEST(Lane, WhatAnItemThrowsIsTheCallersOnceTheOthersHaveEnded) {
   }
 }
 
-TEST(Lane, WhatHasNotBegunWhenAnItemThrowsIsLeftOut) {
-  Lane lane({.num_threads = 1});  // which helps nobody: the caller takes its items in turn
+TEST(Lane, ItemsNotStartedWhenOneThrowsAreSkipped) {
+  Lane lane({.num_threads = 1});  // helps no other thread: the caller runs its items in turn
   int begun = 0;
   const auto body = [&](std::size_t i) {
     ++begun;
@@ -165,7 +165,7 @@ TEST(Lane, WhatHasNotBegunWhenAnItemThrowsIsLeftOut) {
   EXPECT_EQ(begun, 6);
 }
 
-TEST(Lane, OutlivesWhatItsTasksThrow) {
+TEST(Lane, SurvivesExceptionsOfItsTasks) {
   std::vector<std::string> told;
   std::vector<int> order;
   const auto held = std::make_shared<int>(7);
@@ -187,21 +187,21 @@ TEST(Lane, OutlivesWhatItsTasksThrow) {
   EXPECT_EQ(told, (std::vector<std::string>{"task 0", "an exception of an unknown type", "std::bad_alloc"}));
 }
 
-TEST(Lane, KeepsAllItsThreadsWhateverIsThrown) {
+TEST(Lane, KeepsAllItsThreadsAfterExceptions) {
   constexpr int kThreads = 3;
   std::atomic<int> arrived = 0;
   Lane lane({.num_threads = kThreads, .on_exception = [](const char*) { throw std::bad_alloc(); }});
   for (int i = 0; i < 2 * kThreads; ++i) lane.Post([] { throw std::runtime_error("as meant by the test"); });
   for (int i = 0; i < kThreads; ++i) {
     lane.Post([&] {
-      // They end together only if each has a thread.
+      // They end together only if each has its own thread.
       ++arrived;
       EXPECT_TRUE(testing::Eventually([&] { return arrived == kThreads; }));
     });
   }
 }
 
-TEST(Lane, ItsThreadsAreAsNiceAsAsked) {
+TEST(Lane, ItsThreadsHaveTheRequestedNiceness) {
   const int here = getpriority(PRIO_PROCESS, 0);
   std::promise<int> there;
   Lane lane({.num_threads = 1, .niceness = 3});
@@ -210,7 +210,7 @@ TEST(Lane, ItsThreadsAreAsNiceAsAsked) {
   EXPECT_EQ(getpriority(PRIO_PROCESS, 0), here) << "of that thread only";
 }
 
-TEST(Lane, EndsAfterWhatWasPosted) {
+TEST(Lane, EndsAfterThePostedTasks) {
   std::atomic<int> runs = 0;
   {
     Lane lane({.num_threads = 3});

@@ -27,7 +27,7 @@ std::string WriteFile(const testing::TempDir& dir, const std::string& text) {
   return path;
 }
 
-TEST(ServerConfig, TheDefaultsAreUsable) { EXPECT_TRUE(ServerConfig{}.Validate().ok()); }
+TEST(ServerConfig, DefaultsAreValid) { EXPECT_TRUE(ServerConfig{}.Validate().ok()); }
 
 TEST(ServerConfig, EveryBadKeyIsNamedAtOnce) {
   ServerConfig config;
@@ -42,7 +42,7 @@ TEST(ServerConfig, EveryBadKeyIsNamedAtOnce) {
                                    "store.commit_s", "map_defaults.voxel_size_m"}));
 }
 
-TEST(ServerConfig, OriginsAreAsBrowsersSendThem) {
+TEST(ServerConfig, OriginsHaveTheFormThatBrowsersSend) {
   ServerConfig config;
   for (const char* origins : {"", "https://fleet.example", "http://localhost:3000, https://a-b.example:8443",
                               "http://[::1]:3000", "http://127.0.0.1:8081"}) {
@@ -57,7 +57,7 @@ TEST(ServerConfig, OriginsAreAsBrowsersSendThem) {
   }
 }
 
-TEST(ServerConfig, OtherMachinesAreLetInOnlyWhenToldSo) {
+TEST(ServerConfig, OtherMachinesAreAdmittedOnlyIfConfigured) {
   ServerConfig config;
   for (const char* address : {"127.0.0.1:0", "localhost:1", "[::1]:65535", "127.1.2.3:50051"}) {
     config.grpc.address = address;
@@ -76,7 +76,7 @@ TEST(ServerConfig, OtherMachinesAreLetInOnlyWhenToldSo) {
   }
 }
 
-TEST(ConfigLoader, WhatIsPrintedLoadsAsTheSame) {
+TEST(ConfigLoader, APrintedConfigLoadsUnchanged) {
   ServerConfig config;
   config.db = "a \"quoted\" file: #1.db";
   config.grpc.num_threads = 7;
@@ -152,7 +152,7 @@ TEST(ConfigLoader, ARetiredMapKeyMayStayAtItsDefault) {
   EXPECT_EQ(Fields(ApplyKeyValues(*values, "a test", config)), std::set<std::string>{retired});
 }
 
-TEST(ConfigLoader, WhatIsNotAMappingIsRefused) {
+TEST(ConfigLoader, AFileThatIsNoMappingIsRefused) {
   EXPECT_FALSE(ParseYaml("- a\n- b\n").ok());
   EXPECT_FALSE(ParseYaml("a: [1, 2]\n").ok());
   EXPECT_FALSE(ParseYaml("a: {b\n").ok());
@@ -161,7 +161,7 @@ TEST(ConfigLoader, WhatIsNotAMappingIsRefused) {
   EXPECT_TRUE(ParseYaml("# nothing\ngrpc:\n").ok());
 }
 
-TEST(ConfigLoader, WhatMeansTwoThingsOrHasNoEndIsRefusedWithItsLine) {
+TEST(ConfigLoader, AmbiguousOrUnterminatedYamlIsRefusedWithItsLine) {
   const struct {
     const char* text;
     const char* message;
@@ -183,7 +183,7 @@ TEST(ConfigLoader, WhatMeansTwoThingsOrHasNoEndIsRefusedWithItsLine) {
   }
 }
 
-TEST(ConfigLoader, AliasesMayNotMakeAHugeDocumentOfFewLines) {
+TEST(ConfigLoader, AliasesCannotExpandToAHugeDocument) {
   std::string text = "a0: &a0 {x: 1, y: 2}\n";
   for (int i = 1; i < 30; ++i) {
     const std::string before = "*a" + std::to_string(i - 1), now = std::to_string(i);
@@ -194,13 +194,13 @@ TEST(ConfigLoader, AliasesMayNotMakeAHugeDocumentOfFewLines) {
   EXPECT_NE(values.status().message().find("more than 10000 keys"), std::string::npos) << values.status().ToString();
 }
 
-TEST(ConfigLoader, AnAliasIsWhatItNames) {
+TEST(ConfigLoader, AnAliasHasTheValueOfItsAnchor) {
   const auto values = ParseYaml("db: &name x\nmore: *name\n");
   ASSERT_TRUE(values.ok()) << values.status().ToString();
   EXPECT_EQ(*values, (KeyValues{{"db", "x"}, {"more", "x"}}));
 }
 
-TEST(CommandLine, FlagsWinOverEnvironmentOverFileOverDefaults) {
+TEST(CommandLine, FlagsPrecedeEnvironmentFileAndDefaults) {
   const testing::TempDir dir;
   const std::string path =
       WriteFile(dir, "db: file.db\nhttp: {num_threads: 2}\ngrpc: {num_threads: 2}\nstore: {commit_s: 7}\n");
@@ -243,7 +243,7 @@ TEST(CommandLine, BadKeysOfFileEnvironmentAndFlagsAreNamedAtOnce) {
             (std::set<std::string>{"store.commit_x", "DHPMAP_NO_SUCH", "store.commit_s", "log.level"}));
 }
 
-TEST(CommandLine, TellsWhetherToCheckAndWhetherToKeepACopy) {
+TEST(CommandLine, ParsesCheckConfigAndNoBackup) {
   const auto usual = ParseCommandLine({"--db", "x"}, {});
   ASSERT_TRUE(usual.ok());
   EXPECT_FALSE(usual->is_check);
@@ -268,7 +268,7 @@ TEST(ServerConfig, ChangedKeysAreNamed) {
             (std::vector<std::string>{"grpc.num_threads", "log.level", "store.commit_s", "map_defaults"}));
 }
 
-TEST(CommandLine, AddressesForOthersNeedTlsAndKeysOrAWordThatTheyMayGoWithout) {
+TEST(CommandLine, PublicAddressesNeedTlsAndKeysOrAnExplicitWaiver) {
   const testing::TempDir dir;
   const std::string db = (dir.path() / "x.db").string();
   const auto starts = [&](std::vector<std::string> flags, const std::vector<std::string>& environment = {}) {
@@ -301,7 +301,7 @@ TEST(CommandLine, AddressesForOthersNeedTlsAndKeysOrAWordThatTheyMayGoWithout) {
   EXPECT_EQ(KeyFileOf(ServerConfig{.db = db}), db + ".keys") << "a link is refused later, and opens nothing";
 }
 
-TEST(ServerConfig, TlsAndKeysAreAskedForEach) {
+TEST(ServerConfig, TlsAndKeysAreRequiredSeparately) {
   ServerConfig config;
   config.grpc.address = "192.168.1.1:1";
   EXPECT_TRUE(CheckExposure(config, true, true).ok());
@@ -313,7 +313,7 @@ TEST(ServerConfig, TlsAndKeysAreAskedForEach) {
   EXPECT_TRUE(CheckExposure(config, false, false).ok());
 }
 
-TEST(CommandLine, PrintConfigShowsWhatIsInForceAndNeedsNoDatabase) {
+TEST(CommandLine, PrintConfigShowsEffectiveValuesWithoutADatabase) {
   const auto invocation = ParseCommandLine({"--print-config", "--http", "127.0.0.1:9"}, {});
   ASSERT_TRUE(invocation.ok());
   EXPECT_TRUE(invocation->is_done);

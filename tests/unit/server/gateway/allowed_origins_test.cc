@@ -56,7 +56,7 @@ class AllowedOriginsTest : public ::testing::Test {
   std::shared_ptr<http::Exchange> exchange;
 };
 
-TEST_F(AllowedOriginsTest, ABrowserIsToldWhatAListedPageMaySend) {
+TEST_F(AllowedOriginsTest, ABrowserLearnsWhatAnAllowedPageMaySend) {
   const http::Headers asks = {{"Access-Control-Request-Method", "POST"},
                               {"Access-Control-Request-Headers", "authorization,content-type"},
                               {"Access-Control-Request-Private-Network", "true"}};
@@ -79,7 +79,7 @@ TEST_F(AllowedOriginsTest, ABrowserIsToldWhatAListedPageMaySend) {
   EXPECT_EQ(server.num_calls(), 0u);
 }
 
-TEST_F(AllowedOriginsTest, AListedPageReadsAnswersErrorsAndWhatElseTheySay) {
+TEST_F(AllowedOriginsTest, AnAllowedPageReadsAnswersErrorsAndHeaders) {
   const http::Response maps = Answered(From(kFleet, "GET", "/v1/maps"));
   EXPECT_EQ(maps.status, 200);
   EXPECT_EQ(Says(maps, "Access-Control-Allow-Origin"), kFleet);
@@ -95,7 +95,7 @@ TEST_F(AllowedOriginsTest, AListedPageReadsAnswersErrorsAndWhatElseTheySay) {
   EXPECT_EQ(Says(Answered(RequestHeadOf("GET", "/healthz")), "Vary"), "Origin") << "caches must not mix them up";
 }
 
-TEST_F(AllowedOriginsTest, AListedPageReadsStreamsToo) {
+TEST_F(AllowedOriginsTest, AnAllowedPageReadsStreamsToo) {
   const auto responder = std::make_shared<RecordingResponder>();
   exchange = dispatcher.Begin(From(kFleet, "GET", "/v1/maps/a:watch", {{"Accept", "text/event-stream"}}), responder);
   ASSERT_NE(exchange, nullptr);
@@ -108,7 +108,7 @@ TEST_F(AllowedOriginsTest, AListedPageReadsStreamsToo) {
   EXPECT_TRUE(responder->RunUntil([&] { return left.expired(); })) << "what is posted holds it";
 }
 
-TEST_F(AllowedOriginsTest, WithoutOriginsNothingIsSaidOfThem) {
+TEST_F(AllowedOriginsTest, WithoutOriginsNoCorsHeadersAreSent) {
   const Dispatcher closed(HttpRuleRouter::FromLinkedServices().value(), {&caller, &bulk}, {}, 1000,
                           std::make_shared<ByteBudget>(1500));
   const auto responder = std::make_shared<RecordingResponder>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies that are many times larger as messages than they are as bytes.
+// Bodies that grow many times when parsed.
 #include "server/gateway/body_room.h"
 
 #include <deque>
@@ -53,14 +53,14 @@ class BodyRoomTest : public ::testing::Test {
     return responder->replies.empty() ? http::Response() : responder->replies[0];
   }
 
-  std::deque<ByteBudget> budgets;  // those of the tests: a lane may let go of the last exchange after its answer
+  std::deque<ByteBudget> budgets;  // outlive the tests: a lane may free the last exchange after its answer
   CannedServer server;
   std::shared_ptr<RecordingResponder> responder = std::make_shared<RecordingResponder>();
   RpcCaller caller{server.channel()};
   Lane bulk{{}};
 };
 
-TEST_F(BodyRoomTest, WhatNeverFitsAsAMessageIsTooLarge) {
+TEST_F(BodyRoomTest, AMessageThatCanNeverFitIsTooLarge) {
   ByteBudget& budget = budgets.emplace_back(2u << 20);
   for (const TinyBody& body : TinyBodies()) {
     const http::Response answer = AnswerTo("/v1/maps/a:queryPoints", body, budget);
@@ -70,7 +70,7 @@ TEST_F(BodyRoomTest, WhatNeverFitsAsAMessageIsTooLarge) {
   EXPECT_EQ(server.num_calls(), 0u);
 }
 
-TEST_F(BodyRoomTest, WithoutRoomForTheMessageItIsToBeTriedAgain) {
+TEST_F(BodyRoomTest, WithoutMemoryForTheMessageTheClientMayRetry) {
   ByteBudget& budget = budgets.emplace_back(64u << 20);
   {
     ByteShare others(&budget);
@@ -87,7 +87,7 @@ TEST_F(BodyRoomTest, WithoutRoomForTheMessageItIsToBeTriedAgain) {
   }
 }
 
-TEST_F(BodyRoomTest, MessagesOfStreamsAreCountedAsWell) {
+TEST_F(BodyRoomTest, MessagesOfStreamsAreCountedToo) {
   ByteBudget& budget = budgets.emplace_back(2u << 20);
   TinyBody body = TinyBodies()[0];
   body.text = R"({"query_points":)" + body.text + "}";
@@ -96,7 +96,7 @@ TEST_F(BodyRoomTest, MessagesOfStreamsAreCountedAsWell) {
   EXPECT_NE(answer.body.find("BODY_TOO_LARGE"), std::string::npos) << answer.body;
 }
 
-TEST_F(BodyRoomTest, ASmallBodyIsTakenWhenAllIsSpent) {
+TEST_F(BodyRoomTest, ASmallBodyIsAcceptedWhenTheBudgetIsSpent) {
   ByteBudget& budget = budgets.emplace_back(1u << 20, 16u << 10);
   ByteShare others(&budget);
   ASSERT_TRUE(others.Resize(1u << 20));

@@ -32,7 +32,7 @@ TEST(CallOptions, ReadsTimeoutsOfBothKinds) {
   EXPECT_EQ(TimeoutOf({{"x-timeout-s", "1e30"}}), std::chrono::hours(24)) << "a day at most";
 }
 
-TEST(CallOptions, RefusesWhatIsNoTimeout) {
+TEST(CallOptions, RefusesInvalidTimeouts) {
   for (const char* text : {"x", "-1", "1s", "nan", "1 "}) {
     EXPECT_EQ(ReasonOf({{"X-Timeout-S", text}}), "BAD_TIMEOUT") << text;
   }
@@ -41,7 +41,7 @@ TEST(CallOptions, RefusesWhatIsNoTimeout) {
   }
 }
 
-TEST(CallOptions, ForwardsOnlyWhatMayGoAlong) {
+TEST(CallOptions, ForwardsOnlyAllowedHeaders) {
   const auto options =
       MakeCallOptions("/a.B/C", {{"Authorization", "Bearer x"}, {"User-Agent", "curl"}, {"Cookie", "c"}});
   ASSERT_TRUE(options.ok());

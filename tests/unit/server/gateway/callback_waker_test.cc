@@ -19,7 +19,7 @@ TEST(CallbackWaker, EventsKeepComingWhileItLives) {
   EXPECT_TRUE(testing::Eventually([&] { return waker.num_events() >= 5; }));
 }
 
-TEST(CallbackWaker, EndsBetweenEventsAndInTheMiddleOfOne) {
+TEST(CallbackWaker, EndsBetweenAndDuringEvents) {
   for (int round = 0; round < 50; ++round) {
     CallbackWaker waker(milliseconds(round % 3));  // 0: an event is nearly always under way
     const int wanted = round % 4;

@@ -13,7 +13,7 @@
 
 namespace dhpmap::gateway {
 
-/// What the server says to one method.
+/// The server's answer to one method.
 struct CannedAnswer {
   std::vector<std::string> messages;  ///< serialised, in answer to the first request message
   std::function<std::string(const std::string& request)> acknowledge;  ///< instead: one for each request message
@@ -22,7 +22,7 @@ struct CannedAnswer {
   bool at_end = false;  ///< `messages` are in answer to the end of the requests instead
 };
 
-/// What the server heard of one call.
+/// What the server received in one call.
 struct HeardCall {
   std::string method;
   std::vector<std::string> requests;

@@ -7,21 +7,21 @@
 namespace dhpmap::gateway {
 namespace {
 
-TEST(ContentEncoding, GzipIsTakenByWhoSaysSo) {
+TEST(ContentEncoding, GzipIsUsedIfTheClientAcceptsIt) {
   for (const char* header : {"gzip", "deflate, GZIP", "br;q=1, gzip;q=0.5", "gzip;q=0.001", "*", "*;q=0, gzip"})
     EXPECT_TRUE(TakesGzip(header)) << header;
   for (const char* header : {"", "identity", "gzip;q=0", "gzip;q=0.00", "br, gzip; q=0", "gzip;q=0, *", "gzipped"})
     EXPECT_FALSE(TakesGzip(header)) << header;
 }
 
-TEST(ContentEncoding, EtagsAreNamedStrongOrWeakAmongOthers) {
+TEST(ContentEncoding, StrongAndWeakEtagsMatchInLists) {
   for (const char* header : {"\"g1\"", "\"x\", \"g1\"", "W/\"g1\"", "*"})
     EXPECT_TRUE(IsEtagNamed(header, "g1")) << header;
   for (const char* header : {"", "g1", "\"g12\"", "\"G1\""}) EXPECT_FALSE(IsEtagNamed(header, "g1")) << header;
   EXPECT_FALSE(IsEtagNamed("*", "")) << "what has none";
 }
 
-TEST(ContentEncoding, WhatWasCompressedInPartsComesBack) {
+TEST(ContentEncoding, DataCompressedInPartsIsRestored) {
   std::string file, gzipped;
   GzipStream gzip;
   for (int i = 0; i < 5000; ++i) {
@@ -48,7 +48,7 @@ class MeshOverHttp : public GatewayTest {
   const std::string file = "glTF" + std::string(1000, 'a') + std::string(1000, 'b');
 };
 
-TEST_F(MeshOverHttp, ComesCompressedToWhoTakesThat) {
+TEST_F(MeshOverHttp, IsCompressedIfTheClientAcceptsIt) {
   const http::HttpAnswer plain = client->Ask("GET", "/v1/maps/home/mesh");
   EXPECT_EQ(plain.body, file);
   EXPECT_EQ(plain.Header("ETag"), "\"g1\"");
@@ -64,7 +64,7 @@ TEST_F(MeshOverHttp, ComesCompressedToWhoTakesThat) {
   EXPECT_EQ(Gunzip(gzipped.body, file.size()), file);
 }
 
-TEST_F(MeshOverHttp, IsNotSentAgainToWhoHasIt) {
+TEST_F(MeshOverHttp, IsNotSentAgainToAClientThatHasIt) {
   const http::HttpAnswer same = client->Ask("GET", "/v1/maps/home/mesh", "", {{"If-None-Match", "\"g1\""}});
   EXPECT_EQ(same.status, 304);
   EXPECT_EQ(same.Header("ETag"), "\"g1\"");
@@ -79,7 +79,7 @@ TEST_F(MeshOverHttp, IsNotSentAgainToWhoHasIt) {
   EXPECT_EQ(other.body, file) << "nothing of the one before was left on the connection";
 }
 
-TEST_F(MeshOverHttp, ThatEndsEarlyIsCutOffVisiblyThoughCompressed) {
+TEST_F(MeshOverHttp, ThatEndsEarlyIsVisiblyTruncatedEvenIfCompressed) {
   v1::GetSubmapMeshResponse first;
   first.set_data("glTF");
   first.set_content_type("model/gltf-binary");
@@ -88,7 +88,7 @@ TEST_F(MeshOverHttp, ThatEndsEarlyIsCutOffVisiblyThoughCompressed) {
   EXPECT_FALSE(client->Ask("GET", "/v1/maps/home/mesh", "", {{"Accept-Encoding", "gzip"}}).is_complete);
 }
 
-TEST(ContentEncoding, NamesTheEtagsOfAVariantWithoutIt) {
+TEST(ContentEncoding, MapsEtagsOfAVariantToTheOriginal) {
   EXPECT_EQ(EtagsNamed(R"("a1", W/"b2-gzip", "c3")", false), "a1,c3");
   EXPECT_EQ(EtagsNamed(R"("a1", W/"b2-gzip", "c3")", true), "b2");
   EXPECT_EQ(EtagsNamed(R"(*, "", "-gzip", "x y", a1, "d4)", false), "");

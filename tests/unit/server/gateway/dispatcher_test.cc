@@ -41,7 +41,7 @@ TEST_F(GatewayTest, RequestsOfForeignWebPagesAreRefused) {
   EXPECT_EQ(ask("GET", "http://evil.example"), 200) << "the browser keeps the answer from the page";
 }
 
-TEST_F(GatewayTest, AForeignPageThatNamesItselfAsTheHostIsRefused) {
+TEST_F(GatewayTest, AForeignPageThatUsesItsOwnHostNameIsRefused) {
   client->SendRaw("DELETE /v1/maps/a HTTP/1.1\r\nHost: evil.example\r\nOrigin: http://evil.example\r\n\r\n");
   const http::HttpAnswer answer = client->ReadAnswer();
   EXPECT_EQ(answer.status, 421);
@@ -49,7 +49,7 @@ TEST_F(GatewayTest, AForeignPageThatNamesItselfAsTheHostIsRefused) {
   EXPECT_EQ(server.num_calls(), 0u);
 }
 
-/// A dispatcher without any connection.
+/// A dispatcher without a connection.
 class DispatcherTest : public ::testing::Test {
  protected:
   static constexpr std::size_t kMaxBody_bytes = 1000, kBudget_bytes = 1500;
@@ -58,7 +58,7 @@ class DispatcherTest : public ::testing::Test {
       : dispatcher(HttpRuleRouter::FromLinkedServices().value(), {&caller, &bulk}, {}, kMaxBody_bytes,
                    std::make_shared<ByteBudget>(kBudget_bytes)) {}
 
-  /// The reply, which comes at once: there is no exchange.
+  /// The immediate reply, without an exchange.
   http::Response Refused(const http::RequestHead& head) {
     const auto responder = std::make_shared<RecordingResponder>();
     EXPECT_EQ(dispatcher.Begin(head, responder), nullptr) << head.target;
@@ -72,7 +72,7 @@ class DispatcherTest : public ::testing::Test {
   Dispatcher dispatcher;
 };
 
-TEST_F(DispatcherTest, EitherRepliesOrMakesAnExchange) {
+TEST_F(DispatcherTest, RepliesOrMakesAnExchange) {
   EXPECT_EQ(Refused(RequestHeadOf("GET", "/healthz")).status, 200);
   EXPECT_EQ(Refused(RequestHeadOf("HEAD", "/openapi.json?x=y")).status, 200);
   EXPECT_EQ(Refused(RequestHeadOf("GET", "nonsense")).status, 400);
@@ -87,7 +87,7 @@ TEST_F(DispatcherTest, EitherRepliesOrMakesAnExchange) {
   }
 }
 
-TEST_F(DispatcherTest, ErrorsComeInTheFormThatIsAskedFor) {
+TEST_F(DispatcherTest, ErrorsHaveTheRequestedFormat) {
   const http::Response binary = Refused(RequestHeadOf("GET", "/nothing", {{"Accept", "application/x-protobuf"}}));
   EXPECT_EQ(http::FindHeader(binary.headers, "content-type"), "application/x-protobuf");
   EXPECT_EQ(AsJson(Refused(RequestHeadOf("GET", "/nothing")).body).fields().at("code").number_value(), 5);
@@ -96,7 +96,7 @@ TEST_F(DispatcherTest, ErrorsComeInTheFormThatIsAskedFor) {
   AsJson(malformed.body);
 }
 
-TEST_F(DispatcherTest, ABodyTakesItsBytesWhenItIsAnnouncedAndGivesThemBack) {
+TEST_F(DispatcherTest, ABodyReservesItsAnnouncedBytesAndReleasesThem) {
   const http::RequestHead large = RequestHeadOf("POST", "/v1/maps", {}, kMaxBody_bytes);
   auto first = dispatcher.Begin(large, std::make_shared<RecordingResponder>());
   ASSERT_NE(first, nullptr);
@@ -108,7 +108,7 @@ TEST_F(DispatcherTest, ABodyTakesItsBytesWhenItIsAnnouncedAndGivesThemBack) {
   EXPECT_NE(dispatcher.Begin(large, std::make_shared<RecordingResponder>()), nullptr);
 }
 
-TEST_F(DispatcherTest, AForeignPageMayOnlyLook) {
+TEST_F(DispatcherTest, AForeignPageMayOnlyRead) {
   http::RequestHead head = RequestHeadOf("GET", "/v1/maps");
   head.is_from_foreign_page = true;
   EXPECT_NE(dispatcher.Begin(head, std::make_shared<RecordingResponder>()), nullptr);

@@ -42,7 +42,7 @@ TEST_F(GatewayTest, EveryStatusCodeHasItsHttpStatusAndDetails) {
   }
 }
 
-TEST_F(GatewayTest, DetailsOfUnknownTypeAndGarbageAreSurvived) {
+TEST_F(GatewayTest, UnknownAndMalformedDetailsAreHarmless) {
   google::rpc::Status status;
   status.set_code(5);
   auto* any = status.add_details();
@@ -73,7 +73,7 @@ TEST(ErrorBody, SomeReasonsHaveAnHttpStatusOfTheirOwn) {
   EXPECT_EQ(ErrorResponse(other, AnswerFormat::kJson).status, 500) << "but not of another code";
 }
 
-TEST(ErrorBody, AnyIsJsonAndBothFormsSayTheSame) {
+TEST(ErrorBody, DetailsAreJsonAndBothFormatsAgree) {
   const Status error = NotFound("no map \"a\"").WithReason("MAP_NOT_FOUND");
   EXPECT_EQ(ErrorResponse(error, AnswerFormat::kAny).body, ErrorResponse(error, AnswerFormat::kJson).body);
   const google::rpc::Status status = Parsed(ErrorResponse(error, AnswerFormat::kProtobuf).body);

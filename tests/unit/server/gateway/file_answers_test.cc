@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Streams that are files to HTTP.
+// Streams that HTTP serves as files.
 #include "json_test.pb.h"
 #include "tests/unit/server/gateway/gateway_fixture.h"
 #include "tests/unit/server/gateway/mesh_part.h"
@@ -9,7 +9,7 @@ namespace {
 
 using json::test::Everything;
 
-TEST_F(GatewayTest, AFileThatTheClientDoesNotAcceptIsNotSent) {
+TEST_F(GatewayTest, AFileOfAnUnacceptedTypeIsNotSent) {
   server.Set("GetSubmapMesh", {.messages = {MeshPart("ply\n", "application/x-ply", 10), MeshPart("abcdef")}});
   const auto ask = [this](const char* accept) {
     return client->Ask("GET", "/v1/maps/home/submaps/7/mesh", "", {{"Accept", accept}});
@@ -39,7 +39,7 @@ TEST_F(GatewayTest, AFileOfUnknownSizeIsChunked) {
   EXPECT_EQ(Heard<Everything>().text(), "a/b \"c");
 }
 
-TEST_F(GatewayTest, AFileThatIsNotAsLongAsAnnouncedIsCutOffVisibly) {
+TEST_F(GatewayTest, AFileShorterThanAnnouncedIsVisiblyTruncated) {
   for (const int announced : {3, 30}) {
     server.Set("GetSubmapMesh", {.messages = {MeshPart("ab", "x/y", announced), MeshPart("cdef")}});
     const http::HttpAnswer file = http::HttpClient(gateway->port()).Ask("GET", "/v1/maps/home/mesh");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body that is a file, for an RPC that takes its parts.
+// A file as body, for an RPC that takes it in parts.
 #include <algorithm>
 #include <string>
 
@@ -9,7 +9,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-/// What of a file the RPC has heard.
+/// What the RPC has received of a file.
 struct HeardFile {
   std::string bytes;
   std::size_t largest_part = 0;
@@ -46,7 +46,7 @@ constexpr int kSomeParts_bytes = 300'000;
 constexpr int kSomeParts_bytes = 900'000;
 #endif
 
-TEST_F(GatewayTest, AFileGoesToTheRpcInPartsAsItIs) {
+TEST_F(GatewayTest, AFileIsPassedToTheRpcInPartsUnchanged) {
   server.Set("ImportMap", Imported());
   const std::string bytes = AnyBytes(kSomeParts_bytes);
   std::size_t number = 0;
@@ -86,7 +86,7 @@ TEST_F(GatewayTest, AFileMayBeLargerThanAnyMessageOfUnknownSizeOrEmpty) {
   EXPECT_EQ(FileIn(empty).first.map_id(), "a");
 }
 
-TEST_F(GatewayTest, AFormIsNoFile) {
+TEST_F(GatewayTest, AFormIsNotAFile) {
   const http::HttpAnswer answer =
       client->Ask("POST", "/v1/maps:import", "--x\r\n", {{"Content-Type", "multipart/form-data; boundary=x"}});
   EXPECT_EQ(answer.status, 415);
@@ -97,7 +97,7 @@ TEST_F(GatewayTest, AFormIsNoFile) {
       << "nor are messages";
 }
 
-TEST_F(GatewayTest, AFileMayComeAsLinesOfJson) {
+TEST_F(GatewayTest, AFileMayBeSentAsLinesOfJson) {
   server.Set("ImportMap", Imported());
   EXPECT_EQ(
       client->Ask("POST", "/v1/maps:import", "\"YWJj\"\n\"ZGVm\"\n", {{"Content-Type", "application/x-ndjson"}}).status,
@@ -105,14 +105,14 @@ TEST_F(GatewayTest, AFileMayComeAsLinesOfJson) {
   EXPECT_EQ(FileIn(server.WaitForCall()).bytes, "abcdef");
 }
 
-TEST_F(GatewayTest, ThatAFileIsNotTakenIsToldBeforeAllOfItHasCome) {
+TEST_F(GatewayTest, ARefusalOfAFileIsSentBeforeTheWholeFileHasArrived) {
   server.Set("ImportMap", {.messages = {}, .status = grpc::Status(grpc::ALREADY_EXISTS, "there is one")});
   ASSERT_TRUE(client->SendRaw(
       "POST /v1/maps:import?map_id=a HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1000000\r\n\r\nabc"));
   EXPECT_EQ(client->ReadAnswer().status, 409);
 }
 
-TEST_F(GatewayTest, AClientThatGoesAwayInTheMiddleOfAFileCancelsTheCall) {
+TEST_F(GatewayTest, AClientThatDisconnectsDuringAFileCancelsTheCall) {
   server.Set("ImportMap", {.hang = true});
   ASSERT_TRUE(client->SendRaw(
       "POST /v1/maps:import?map_id=a HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1000000\r\n\r\nabc"));

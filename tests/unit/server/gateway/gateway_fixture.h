@@ -15,7 +15,7 @@
 
 namespace dhpmap::gateway {
 
-/// A gateway on a free port before a server with canned answers, and one connection to it.
+/// A gateway on a free port, in front of a server with canned answers, and one connection to it.
 class GatewayTest : public ::testing::Test {
  protected:
   static constexpr std::size_t kMaxBody_bytes = 1u << 20;

@@ -30,7 +30,7 @@ TEST_F(GatewayTest, PipelinedRequestsAreAnsweredInOrder) {
   EXPECT_EQ(client->ReadAnswer().status, 404);
 }
 
-TEST_F(GatewayTest, HonoursConnectionCloseAndHttp10) {
+TEST_F(GatewayTest, RespectsConnectionCloseAndHttp10) {
   EXPECT_EQ(client->Ask("GET", "/healthz", "", {{"Connection", "close"}}).Header("Connection"), "close");
   EXPECT_TRUE(client->IsClosedByServer());
   http::HttpClient old(gateway->port());
@@ -41,7 +41,7 @@ TEST_F(GatewayTest, HonoursConnectionCloseAndHttp10) {
   EXPECT_NE(answer.body.find("result"), std::string::npos);
 }
 
-TEST_F(GatewayTest, ABodyInSmallChunksIsPutTogether) {
+TEST_F(GatewayTest, ABodyInSmallChunksIsJoined) {
   client->SendRaw("POST /v1/maps HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n");
   for (const char c : std::string(R"({"map_id":"home"})")) client->SendRaw(std::string("1;x=y\r\n") + c + "\r\n");
   client->SendRaw("0\r\nTrailer: t\r\n\r\n");
@@ -59,7 +59,7 @@ TEST_F(GatewayTest, ExpectContinueIsAnsweredOnlyIfTheBodyIsWanted) {
   EXPECT_EQ(client->ReadAnswer().status, 413);
 }
 
-TEST_F(GatewayTest, ABodyThatIsTooLargeIsRefusedBeforeItIsRead) {
+TEST_F(GatewayTest, ATooLargeBodyIsRefusedBeforeItIsRead) {
   client->SendRaw("POST /v1/maps HTTP/1.1\r\nHost: localhost\r\nContent-Length: 104857600\r\n\r\n{");
   const http::HttpAnswer answer = client->ReadAnswer();
   EXPECT_EQ(answer.status, 413);
@@ -67,7 +67,7 @@ TEST_F(GatewayTest, ABodyThatIsTooLargeIsRefusedBeforeItIsRead) {
   EXPECT_EQ(answer.Header("Connection"), "close");
 }
 
-TEST_F(GatewayTest, AClientThatSendsAHundredMegabytesGetsToSeeTheRefusal) {
+TEST_F(GatewayTest, AClientThatSendsAHundredMegabytesReceivesTheRefusal) {
   DHPMAP_SKIP_MEGABYTES();
   for (const bool is_chunked : {false, true}) {
     http::HttpClient sender(gateway->port());
@@ -109,8 +109,8 @@ TEST_F(GatewayTest, MalformedRequestsAreAnsweredAndTheConnectionClosed) {
   EXPECT_EQ(client->Ask("GET", "/v1/maps/%zz").status, 404);
 }
 
-/// Whatever arrives, the server answers something or closes, and goes on serving others.
-TEST_F(GatewayTest, MutatedRequestsNeverBringItDown) {
+/// For any input the server answers or closes the connection, and continues serving others.
+TEST_F(GatewayTest, MutatedRequestsNeverCrashIt) {
   const std::string seeds[] = {
       "POST /v1/maps/a:integrateFrames?x=%20 HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
       "Content-Length: 14\r\nX-Timeout-S: 1\r\n\r\n{\"sequence\":1}",
@@ -179,7 +179,7 @@ TEST(GatewayBudget, BeyondTheBytesInFlightTheAnswerIs429AtOnce) {
   })) << "the client that left has given its bytes back";
 }
 
-TEST(GatewayBudget, AStreamedBodyCountsAsItComes) {
+TEST(GatewayBudget, AStreamedBodyIsCountedAsItArrives) {
   CannedServer server;
   GatewayOptions options;
   options.address = "127.0.0.1:0";
@@ -195,7 +195,7 @@ TEST(GatewayBudget, AStreamedBodyCountsAsItComes) {
   EXPECT_NE(answer.body.find("TOO_MANY_BYTES"), std::string::npos) << answer.body;
 }
 
-TEST_F(GatewayTest, ShutdownWaitsForShortCallsAndEndsLongOnes) {
+TEST_F(GatewayTest, AShutdownWaitsForShortCallsAndEndsLongOnes) {
   server.Set("GetMap", {.hang = true});
   client->SendRaw("GET /v1/maps/a HTTP/1.1\r\nHost: localhost\r\n\r\n");
   server.WaitForCall();
@@ -207,7 +207,7 @@ TEST_F(GatewayTest, ShutdownWaitsForShortCallsAndEndsLongOnes) {
   EXPECT_EQ(http::HttpClient(gateway->port()).Ask("GET", "/healthz").status, 0) << "nothing is accepted any more";
 }
 
-TEST(Gateway, SaysWhyItCannotListen) {
+TEST(Gateway, ReportsWhyItCannotListen) {
   CannedServer server;
   GatewayOptions options;
   options.address = "127.0.0.1:0";

@@ -21,7 +21,7 @@ const HttpRuleRouter& Router() {
   return *router;
 }
 
-/// A path that the template matches, and what its variables then are.
+/// A path that matches the template, and the values of its variables.
 std::string SamplePath(const PathTemplate& path) {
   std::string text;
   int number = 0;
@@ -72,7 +72,7 @@ TEST(HttpRuleRouter, GivesTheRightPathVariables) {
   EXPECT_NE(match.route->update_mask, nullptr);
 }
 
-TEST(HttpRuleRouter, TellsVerbsApart) {
+TEST(HttpRuleRouter, DistinguishesVerbs) {
   EXPECT_EQ(Router().Find("GET", "/v1/maps/a").route->rpc_path, "/dhpmap.v1.MapService/GetMap");
   EXPECT_EQ(Router().Find("GET", "/v1/maps/a/stats").route->rpc_path, "/dhpmap.v1.MapService/GetMapStats");
   EXPECT_EQ(Router().Find("GET", "/v1/maps/a/mesh").route->rpc_path, "/dhpmap.v1.SubmapService/GetSubmapMesh");
@@ -139,7 +139,7 @@ TEST(HttpRuleRouter, PrefersTheMoreSpecificRule) {
   EXPECT_EQ(router->Find("GET", "/v1/x/y/z").values, std::vector<std::string>{"x/y/z"});
 }
 
-TEST(HttpRuleRouter, RefusesRulesThatNameWhatIsNotThere) {
+TEST(HttpRuleRouter, RefusesRulesWithUnknownFields) {
   google::api::HttpRule bad_body = Get("/v1/x");
   bad_body.set_body("nothing");
   google::api::HttpRule bad_answer = Get("/v1/x");

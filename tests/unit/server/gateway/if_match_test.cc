@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The header If-Match is the etag of the RPC's request.
+// The header If-Match sets the etag of the RPC's request.
 #include <gtest/gtest.h>
 
 #include "dhpmap/v1/map_service.pb.h"
@@ -21,7 +21,7 @@ TEST_F(GatewayTest, IfMatchIsTheEtagOfTheRequestOrOfItsBody) {
   EXPECT_EQ(Heard<v1::DeleteMapRequest>(3).etag(), "");
 }
 
-TEST_F(GatewayTest, IfMatchThatCannotBeKeptIsRefusedNotIgnored) {
+TEST_F(GatewayTest, AnUnsupportedIfMatchIsRefusedNotIgnored) {
   for (const char* bad : {"r3", "W/\"r3\"", "\"a\", \"b\"", "\""}) {
     EXPECT_EQ(client->Ask("DELETE", "/v1/maps/a", "", {{"If-Match", bad}}).status, 400) << bad;
   }
@@ -31,7 +31,7 @@ TEST_F(GatewayTest, IfMatchThatCannotBeKeptIsRefusedNotIgnored) {
       << "two that differ";
 }
 
-// No state of anything has an empty tag, so nothing may be changed for it.
+// No state has an empty tag, so nothing may be changed for it.
 TEST_F(GatewayTest, IfMatchOfAnEmptyTagIsRefusedNotIgnored) {
   EXPECT_EQ(client->Ask("DELETE", "/v1/maps/a", "", {{"If-Match", ""}}).status, 400);
   EXPECT_EQ(client->Ask("DELETE", "/v1/maps/a", "", {{"If-Match", "\"\""}}).status, 400);

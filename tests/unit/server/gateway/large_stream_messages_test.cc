@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Large messages of streams are converted on a lane, and nothing else changes.
+// Large messages of streams are converted on a lane; behaviour is otherwise the same.
 #include <chrono>
 #include <future>
 #include <memory>
@@ -41,10 +41,10 @@ CannedAnswer AcknowledgesSequences() {
   }};
 }
 
-/// Exchanges that share a lane, which is busy with something else until it is let go.
+/// Exchanges that share a lane, which other work occupies until it is released.
 class LargeStreamMessagesTest : public ::testing::Test {
  protected:
-  /// Calls, and exchanges that they keep, are gone before what they use.
+  /// Calls, and the exchanges that they hold, end before the objects that they use.
   ~LargeStreamMessagesTest() override {
     LetLaneGo();
     EXPECT_TRUE(responder->RunUntil([&] { return caller.WaitUntilIdle(std::chrono::milliseconds(0)); }));
@@ -53,7 +53,7 @@ class LargeStreamMessagesTest : public ::testing::Test {
   void LetLaneGo() {
     if (!std::exchange(is_let_go, true)) plug.Release();
   }
-  /// All that was posted before has run.
+  /// Returns once all earlier tasks have run.
   void WaitForLane() {
     std::promise<void> reached;
     bulk.Post([&reached] { reached.set_value(); });
@@ -139,7 +139,7 @@ TEST_F(LargeStreamMessagesTest, LargeAndSmallMessagesKeepTheirOrder) {
   EXPECT_EQ(responder->ends, std::vector<bool>{true});
 }
 
-TEST_F(LargeStreamMessagesTest, TheRpcIsToldThatALargeMessageIsTheOnlyOne) {
+TEST_F(LargeStreamMessagesTest, TheRpcLearnsThatALargeMessageIsTheOnlyOne) {
   server.Set("IntegrateFrames", AcknowledgesSequences());
   const std::string body = LargeMessage(1);
   const http::RequestHead head = RequestHeadOf("POST", "/v1/maps/a:integrateFrames", {}, body.size());
@@ -154,7 +154,7 @@ TEST_F(LargeStreamMessagesTest, TheRpcIsToldThatALargeMessageIsTheOnlyOne) {
   EXPECT_TRUE(server.WaitForCall().metadata.contains("dhpmap-one-message"));
 }
 
-TEST_F(LargeStreamMessagesTest, ALargeMessageThatIsMalformedEndsTheStreamAfterTheGoodOnes) {
+TEST_F(LargeStreamMessagesTest, AMalformedLargeMessageEndsTheStreamAfterTheValidOnes) {
   server.Set("IntegrateFrames", AcknowledgesSequences());
   const auto exchange = BeginFrames();
   exchange->OnBody(SmallMessage(1) + BrokenLargeMessage() + SmallMessage(3));
@@ -168,7 +168,7 @@ TEST_F(LargeStreamMessagesTest, ALargeMessageThatIsMalformedEndsTheStreamAfterTh
   EXPECT_EQ(responder->num_resumed, 1) << "the rest of the body is let go";
 }
 
-TEST_F(LargeStreamMessagesTest, ALargeFirstMessageThatIsMalformedIsAPlainErrorAndNoCall) {
+TEST_F(LargeStreamMessagesTest, AMalformedLargeFirstMessageIsAPlainErrorWithoutACall) {
   const auto exchange = BeginFrames();
   EXPECT_FALSE(exchange->OnBody(BrokenLargeMessage()));
   EXPECT_TRUE(responder->replies.empty());
@@ -195,7 +195,7 @@ TEST_F(LargeStreamMessagesTest, ALargeMessageBeyondTheBudgetIsRefusedAtOnce) {
   EXPECT_EQ(room.used_bytes(), others.bytes());
 }
 
-TEST_F(LargeStreamMessagesTest, AMessageWhoseClientIsGoneIsNeverConverted) {
+TEST_F(LargeStreamMessagesTest, AMessageOfADisconnectedClientIsNotConverted) {
   auto exchange = BeginFrames();
   EXPECT_FALSE(exchange->OnBody(LargeMessage(1)));
   exchange->OnClosed();
@@ -206,7 +206,7 @@ TEST_F(LargeStreamMessagesTest, AMessageWhoseClientIsGoneIsNeverConverted) {
   EXPECT_FALSE(HasBegunCall());
 }
 
-TEST_F(LargeStreamMessagesTest, AMessageThatWasConvertedWhenItsClientLeftGoesNowhere) {
+TEST_F(LargeStreamMessagesTest, AConvertedMessageOfADisconnectedClientIsDropped) {
   auto exchange = BeginFrames();
   EXPECT_FALSE(exchange->OnBody(LargeMessage(1)));
   LetLaneGo();
@@ -220,7 +220,7 @@ TEST_F(LargeStreamMessagesTest, AMessageThatWasConvertedWhenItsClientLeftGoesNow
   EXPECT_TRUE(responder->replies.empty());
 }
 
-TEST_F(LargeStreamMessagesTest, AnRpcThatEndsIsAnsweredThoughAMessageStillWaits) {
+TEST_F(LargeStreamMessagesTest, AnEndedRpcIsAnsweredWhileAMessageStillWaits) {
   server.Set("IntegrateFrames", {.messages = {}, .status = grpc::Status(grpc::NOT_FOUND, "no map a")});
   const auto exchange = BeginFrames();
   EXPECT_FALSE(exchange->OnBody(SmallMessage(1) + LargeMessage(2)));
@@ -232,7 +232,7 @@ TEST_F(LargeStreamMessagesTest, AnRpcThatEndsIsAnsweredThoughAMessageStillWaits)
   EXPECT_EQ(responder->replies.size(), 1u);
 }
 
-TEST_F(LargeStreamMessagesTest, FramesDoNotWaitForWhatOthersAskFor) {
+TEST_F(LargeStreamMessagesTest, FramesDoNotWaitForOtherRequests) {
   Lane frames{{}};
   server.Set("IntegrateFrames", AcknowledgesSequences());
   server.Set("QueryDistanceGrid", {.messages = {""}});

@@ -6,7 +6,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-TEST(MediaType, KnowsWhatBodiesMayBe) {
+TEST(MediaType, KnowsTheTypesOfBodies) {
   EXPECT_EQ(FormatOfContentType(""), BodyFormat::kJson);
   EXPECT_EQ(FormatOfContentType("application/x-www-form-urlencoded"), BodyFormat::kJson);
   EXPECT_EQ(FormatOfContentType("application/json ; charset=utf-8"), BodyFormat::kJson);
@@ -15,7 +15,7 @@ TEST(MediaType, KnowsWhatBodiesMayBe) {
   EXPECT_FALSE(FormatOfContentType("multipart/form-data; boundary=x"));
 }
 
-TEST(MediaType, ChoosesAmongWhatIsAccepted) {
+TEST(MediaType, ChoosesAnAcceptedType) {
   EXPECT_EQ(FormatOfAccept(""), AnswerFormat::kAny);
   EXPECT_EQ(FormatOfAccept("*/*"), AnswerFormat::kAny);
   EXPECT_EQ(FormatOfAccept("text/html,application/xml;q=0.9,*/*;q=0.8"), AnswerFormat::kAny);
@@ -26,27 +26,27 @@ TEST(MediaType, ChoosesAmongWhatIsAccepted) {
   EXPECT_EQ(FormatOfAccept("application/octet-stream"), AnswerFormat::kAny);
 }
 
-TEST(MediaType, NamesHaveNoCaseAndSpacesDoNotCount) {
+TEST(MediaType, IgnoresCaseAndSpaces) {
   EXPECT_EQ(FormatOfContentType("  Application/X-NDJSON\t; a=b"), BodyFormat::kJson);
   EXPECT_EQ(FormatOfAccept("APPLICATION/X-PROTOBUF ;Q=0.2"), AnswerFormat::kProtobuf);
   EXPECT_FALSE(FormatOfContentType("application/jsonx"));
   EXPECT_FALSE(FormatOfContentType("application"));
 }
 
-TEST(MediaType, OfEqualWishesTheFirstCounts) {
+TEST(MediaType, PrefersTheFirstOfEqualPreferences) {
   EXPECT_EQ(FormatOfAccept("application/json, application/x-protobuf"), AnswerFormat::kJson);
   EXPECT_EQ(FormatOfAccept("application/x-protobuf, application/json"), AnswerFormat::kProtobuf);
   EXPECT_EQ(FormatOfAccept("*/*, application/json;q=0.9"), AnswerFormat::kAny);
 }
 
-TEST(MediaType, NonsenseIsNoWish) {
+TEST(MediaType, IgnoresMalformedPreferences) {
   for (const char* accept : {",,,", ";q=1", "application/json;q=0", "application/json;q=x", "application/json;q=-1",
                              "application/json;q=nan", ";;;q"}) {
     EXPECT_EQ(FormatOfAccept(accept), AnswerFormat::kAny) << accept;
   }
 }
 
-TEST(MediaType, IsAcceptedWhereARangeHoldsIt) {
+TEST(MediaType, IsAcceptedByAMatchingRange) {
   constexpr std::string_view kPly = "application/x-ply";
   for (const char* accept : {"", " ", ",,,", "nonsense", "*/*", "application/*", "Application/X-PLY",
                              "model/gltf-binary, application/x-ply;q=0.1", "model/gltf-binary,*/*;q=0.01"}) {
@@ -68,7 +68,7 @@ TEST(MediaType, SomeClientsAcceptNoneOfOurFormats) {
   }
 }
 
-TEST(MediaType, SomeSayThatABodyIsOneJsonValue) {
+TEST(MediaType, SomeTypesMeanASingleJsonValue) {
   for (const char* type : {"application/json", "Application/JSON; charset=utf-8", "text/json"}) {
     EXPECT_TRUE(IsOneJsonValue(type)) << type;
   }

@@ -10,7 +10,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-TEST(MessageSplitter, CutsTheSameWhereverThePiecesEnd) {
+TEST(MessageSplitter, SplitsTheSameWhereverThePiecesEnd) {
   const std::string text = " {\"a\":\"}{\\\"\"}\n{}{\"b\":[{},\"\\\\\"]}\r\nnot json\n{\"c\":1";
   const std::vector<std::string> expected = {R"({"a":"}{\""})", "{}", R"({"b":[{},"\\"]})", "not json", R"({"c":1)"};
   for (std::size_t piece = 1; piece <= text.size(); ++piece) {
@@ -26,7 +26,7 @@ TEST(MessageSplitter, CutsTheSameWhereverThePiecesEnd) {
   }
 }
 
-TEST(MessageSplitter, ALargeMessageThatIsTakenIsNotKept) {
+TEST(MessageSplitter, ATakenLargeMessageIsNotKept) {
   const std::string large = R"({"a":")" + std::string(10'000, 'x') + "\"}";
   MessageSplitter splitter(BodyFormat::kJson, true, 100'000);
   splitter.Add("{}\n" + large + "\n{\"b\":");
@@ -39,7 +39,7 @@ TEST(MessageSplitter, ALargeMessageThatIsTakenIsNotKept) {
   EXPECT_EQ(splitter.Next(), R"({"b":1})");
 }
 
-TEST(MessageSplitter, AFileIsCutIntoPartsOfBoundedSizeAndHasOneAtLeast) {
+TEST(MessageSplitter, AFileIsSplitIntoAtLeastOnePartOfBoundedSize) {
   std::string bytes(700'000, '\0');
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i % 251);
   for (const std::size_t piece : {1'000u, 300'000u, 700'000u}) {
@@ -91,8 +91,8 @@ TEST(MessageSplitter, FindsCutOffAndOversizedDelimitedMessages) {
   EXPECT_TRUE(endless.is_broken() || endless.is_too_large());
 }
 
-TEST(MessageSplitterClock, LooksAtALineWithoutEndOnlyOnce) {
-  // 32 MiB in pieces of 1 KiB: looked at anew with each piece, they would be 512 GiB, which take a minute.
+TEST(MessageSplitterClock, ScansAnEndlessLineOnlyOnce) {
+  // 32 MiB in pieces of 1 KiB. Scanning the line again with each piece would read 512 GiB, which takes a minute.
   const std::string piece(1024, 'x');
   MessageSplitter splitter(BodyFormat::kJson, true, 64u << 20);
   const auto start = std::chrono::steady_clock::now();
@@ -105,7 +105,7 @@ TEST(MessageSplitterClock, LooksAtALineWithoutEndOnlyOnce) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
-TEST(MessageSplitter, TakesABodyThatIsNoStreamAsOneMessage) {
+TEST(MessageSplitter, ReadsABodyThatIsNoStreamAsOneMessage) {
   MessageSplitter splitter(BodyFormat::kJson, false, 100);
   splitter.Add("{} ");
   splitter.Add("{}");
@@ -115,7 +115,7 @@ TEST(MessageSplitter, TakesABodyThatIsNoStreamAsOneMessage) {
   EXPECT_FALSE(splitter.Next());
 }
 
-TEST(MessageSplitter, RefusesWhatIsLargerThanAMessageMayBe) {
+TEST(MessageSplitter, RefusesMessagesAboveTheLimit) {
   MessageSplitter splitter(BodyFormat::kJson, true, 8);
   splitter.Add("{\"a\":1}{\"a\":123}");
   EXPECT_EQ(splitter.Next(), "{\"a\":1}");
@@ -123,7 +123,7 @@ TEST(MessageSplitter, RefusesWhatIsLargerThanAMessageMayBe) {
   EXPECT_TRUE(splitter.is_too_large());
 }
 
-TEST(MessageSplitter, KnowsWhetherAnythingIsLeft) {
+TEST(MessageSplitter, KnowsWhetherDataIsLeft) {
   MessageSplitter splitter(BodyFormat::kJson, true, 100);
   EXPECT_TRUE(splitter.has_nothing_left());
   splitter.Add("{} \r\n\t");

@@ -32,7 +32,7 @@ Struct AllSchemas(OpenApiSchemas* schemas) {
   return all;
 }
 
-TEST(OpenApiSchemas, SaysWhatAFieldIsInJson) {
+TEST(OpenApiSchemas, DescribesFieldsAsInJson) {
   const std::pair<const char*, const char*> cases[] = {
       {"i32", R"({"type":"integer","format":"int32"})"},
       {"i64", R"({"type":"string","format":"int64"})"},  // a string, as it is written
@@ -54,7 +54,7 @@ TEST(OpenApiSchemas, SaysWhatAFieldIsInJson) {
   for (const auto& [name, schema] : cases) EXPECT_EQ(FieldSchema(name), schema) << name;
 }
 
-TEST(OpenApiSchemas, WritesWhatIsReferredToAndNoMore) {
+TEST(OpenApiSchemas, WritesReferencedSchemasOnly) {
   OpenApiSchemas nothing;
   EXPECT_EQ(AllSchemas(&nothing).fields_size(), 0);
   OpenApiSchemas schemas;
@@ -65,7 +65,7 @@ TEST(OpenApiSchemas, WritesWhatIsReferredToAndNoMore) {
   EXPECT_EQ(all.fields().count("dhpmap.json.test.Part"), 1u);
 }
 
-TEST(OpenApiSchemas, AMessageInsideOfItselfIsWrittenOnceWithAllThatItRefersTo) {
+TEST(OpenApiSchemas, ARecursiveMessageIsWrittenOnceWithItsReferences) {
   OpenApiSchemas schemas;
   json::Builder out;
   schemas.WriteMessage(*Everything::descriptor(), &out);

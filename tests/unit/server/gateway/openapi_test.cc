@@ -12,7 +12,7 @@ namespace {
 using google::protobuf::Struct;
 using google::protobuf::Value;
 
-/// All "$ref" values, wherever they are.
+/// All "$ref" values, at any depth.
 void CollectReferences(const Value& value, std::set<std::string>* out) {
   for (const auto& [key, member] : value.struct_value().fields()) {
     if (key == "$ref") out->insert(member.string_value());

@@ -19,7 +19,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-TEST_F(GatewayTest, MetricsThatTakeTheirTimeHoldNobodyUp) {
+TEST_F(GatewayTest, SlowMetricsDelayNoOtherRequest) {
   std::promise<void> begun, release;
   GatewayOptions options;
   options.address = "127.0.0.1:0";
@@ -41,7 +41,7 @@ TEST_F(GatewayTest, MetricsThatTakeTheirTimeHoldNobodyUp) {
   EXPECT_EQ(scraper.Ask("GET", "/healthz").status, 200) << "the connection lives on";
 }
 
-TEST_F(GatewayTest, MetricsAnswerToHeadAndLetABodyGo) {
+TEST_F(GatewayTest, MetricsAnswerHeadAndIgnoreABody) {
   const http::HttpAnswer head = client->Ask("HEAD", "/metrics");
   EXPECT_EQ(head.status, 200);
   EXPECT_EQ(head.Header("Content-Length"), "12");
@@ -50,7 +50,7 @@ TEST_F(GatewayTest, MetricsAnswerToHeadAndLetABodyGo) {
   EXPECT_EQ(client->Ask("GET", "/healthz").body, "ok\n") << "nothing was left on the connection";
 }
 
-TEST(PageExchange, APageWhoseClientIsGoneIsNeverMade) {
+TEST(PageExchange, APageForADisconnectedClientIsNotMade) {
   const auto responder = std::make_shared<RecordingResponder>();
   int num_made = 0;
   {
@@ -71,7 +71,7 @@ TEST(PageExchange, APageWhoseClientIsGoneIsNeverMade) {
   EXPECT_TRUE(responder->replies.empty());
 }
 
-TEST(PageExchange, APageThatWasMadeWhenItsClientLeftGoesNowhere) {
+TEST(PageExchange, AFinishedPageForADisconnectedClientIsDropped) {
   const auto responder = std::make_shared<RecordingResponder>();
   std::shared_ptr<http::Exchange> exchange;
   {
@@ -84,7 +84,7 @@ TEST(PageExchange, APageThatWasMadeWhenItsClientLeftGoesNowhere) {
   EXPECT_TRUE(responder->replies.empty());
 }
 
-TEST(PageExchange, PagesOfTheGatewaysOwnDependOnNoLaneOfCalls) {
+TEST(PageExchange, TheGatewaysPagesUseNoLaneOfCalls) {
   CannedServer server;
   RpcCaller caller(server.channel());
   Lane bulk{{}}, frames{{}}, pages{{}};

@@ -28,7 +28,7 @@ TEST_F(GatewayTest, TheIndexNamesEveryRpc) {
   EXPECT_EQ(static_cast<std::size_t>(At(index, "methods").list_value().values_size()), router->routes().size());
 }
 
-TEST_F(GatewayTest, HeadAnswersAsGetWithoutABody) {
+TEST_F(GatewayTest, HeadAnswersLikeGetWithoutABody) {
   const http::HttpAnswer get = client->Ask("GET", "/openapi.json");
   const http::HttpAnswer head = client->Ask("HEAD", "/openapi.json");
   EXPECT_EQ(head.status, 200);
@@ -42,7 +42,7 @@ TEST(Pages, WithoutHooksTheServerIsReadyAndHasNoMetrics) {
   EXPECT_EQ(pages.Make("/metrics").body, "");
 }
 
-TEST(Pages, AreMadeAnewEachTimeAndNotKeptByCaches) {
+TEST(Pages, AreMadeForEachRequestAndNotCached) {
   int num_asked = 0;
   const Pages pages(TestRouter(), {.is_ready = [&] { return ++num_asked > 1; },
                                    .metrics_text = [&] { return std::to_string(num_asked); }});
@@ -53,7 +53,7 @@ TEST(Pages, AreMadeAnewEachTimeAndNotKeptByCaches) {
   EXPECT_EQ(http::FindHeader(pages.Make("/readyz").headers, "cache-control"), "no-store");
 }
 
-TEST(Pages, HaveTheirExactPathsOnly) {
+TEST(Pages, MatchExactPathsOnly) {
   const Pages pages(TestRouter(), {});
   for (const char* path : {"/", "/healthz", "/readyz", "/metrics", "/openapi.json"})
     EXPECT_TRUE(pages.Has(path)) << path;

@@ -17,7 +17,7 @@ TEST(PathTemplate, ParsesEveryPartOfTheGrammar) {
   EXPECT_TRUE(path->variables()[1].is_one_segment(*path));
 }
 
-TEST(PathTemplate, RefusesWhatTheGrammarDoesNot) {
+TEST(PathTemplate, RefusesTemplatesOutsideTheGrammar) {
   for (const char* text : {"", "v1", "/", "/v1/", "/v1//x", "/{", "/{}", "/{a", "/{a=}", "/{a={b}}", "/**/x",
                            "/a:", "/a:b:c", "/{a=*}}", "/***", "/a*", "/:v"}) {
     EXPECT_FALSE(PathTemplate::Parse(text).ok()) << text;
@@ -59,7 +59,7 @@ TEST(PathTemplate, ASlashInAValueCannotFakeASegment) {
             (std::vector<std::string>{"maps/a%2Fsubmaps%2F2/submaps/1"}));
 }
 
-TEST(PathTemplate, SaysWhereATemplateIsWrong) {
+TEST(PathTemplate, ReportsWhereATemplateIsWrong) {
   const auto path = PathTemplate::Parse("/v1/{a");
   EXPECT_NE(path.status().message().find("at character 7"), std::string::npos) << path.status().message();
   EXPECT_FALSE(PathTemplate::Parse("/v1" + std::string(40, '/')).ok());

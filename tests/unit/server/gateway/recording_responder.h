@@ -33,7 +33,7 @@ class RecordingResponder final : public http::Responder {
     changed_.NotifyAll();
   }
 
-  /// Runs what is posted until `holds`; false if it does not within a minute.
+  /// Runs posted tasks until `holds`; false after a minute.
   bool RunUntil(const std::function<bool()>& holds) {
     const auto end = std::chrono::steady_clock::now() + testing::kPatience;
     while (!holds()) {

@@ -22,7 +22,7 @@ struct UnaryEnd {
   std::string response;
 };
 
-/// What happens to a unary call.
+/// Records the events of a unary call.
 class UnaryEar {
  public:
   std::function<void(RpcStatus, std::string)> Done() {
@@ -44,7 +44,7 @@ class UnaryEar {
   UnaryEnd end_ DHPMAP_GUARDED_BY(mutex_);
 };
 
-/// Writes down what it hears, in words.
+/// Records the events as text.
 class StreamEar final : public StreamListener {
  public:
   void OnMessage(std::string message) override { Hear("message " + message); }
@@ -52,7 +52,7 @@ class StreamEar final : public StreamListener {
   void OnSent(bool ok) override { Hear(ok ? "sent" : "not sent"); }
   void OnDone(RpcStatus status) override { Hear("done " + std::to_string(status.code)); }
 
-  /// The next; "" if nothing comes.
+  /// The next event; "" if there is none.
   std::string Next() {
     const MutexLock lock(mutex_);
     if (!changed_.WaitFor(mutex_, kLong, [this]() DHPMAP_REQUIRES(mutex_) { return !heard_.empty(); })) return "";
@@ -97,7 +97,7 @@ TEST_F(RpcCallerTest, AUnaryCallEndsOnceWithItsAnswer) {
   EXPECT_EQ(heard.metadata.find("x-request-id")->second, "7");
 }
 
-TEST_F(RpcCallerTest, AFailureHasNoAnswerButItsDetails) {
+TEST_F(RpcCallerTest, AFailureHasDetailsAndNoAnswer) {
   server.Set("M", {.messages = {}, .status = grpc::Status(grpc::NOT_FOUND, "gone", "details")});
   UnaryEar ear;
   caller.StartUnary(To("M"), "", ear.Done());
@@ -108,7 +108,7 @@ TEST_F(RpcCallerTest, AFailureHasNoAnswerButItsDetails) {
   EXPECT_EQ(end.response, "");
 }
 
-TEST_F(RpcCallerTest, ACancelledCallEndsAndCancellingAgainDoesNoHarm) {
+TEST_F(RpcCallerTest, ACancelledCallEndsAndMayBeCancelledAgain) {
   server.Set("M", {.hang = true});
   UnaryEar ear;
   const auto call = caller.StartUnary(To("M"), "", ear.Done());
@@ -159,7 +159,7 @@ TEST_F(RpcCallerTest, ACancelledStreamStillEndsInOrder) {
   EXPECT_EQ(ear->Next(), "done 1");
 }
 
-TEST_F(RpcCallerTest, IsIdleOnlyWhenNothingOfAnyCallIsLeft) {
+TEST_F(RpcCallerTest, IsIdleOnlyAfterAllCallsHaveEnded) {
   EXPECT_TRUE(caller.WaitUntilIdle(milliseconds(0)));
   server.Set("M", {.hang = true});
   const auto ear = std::make_shared<StreamEar>();

@@ -13,7 +13,7 @@ Result<RpcRequest> Made(const http::RequestHead& head) {
   return RpcRequest::Make(head, Matched(head.method, head.target), "", kMaxBody_bytes);
 }
 
-TEST(RpcRequest, UnderstandsAllButTheBody) {
+TEST(RpcRequest, ParsesEverythingExceptTheBody) {
   const auto request = Made(RequestHeadOf(
       "POST", "/v1/maps", {{"Content-Type", "application/x-protobuf"}, {"Accept", "application/json"}}, 12));
   ASSERT_TRUE(request.ok()) << request.status().message();
@@ -25,7 +25,7 @@ TEST(RpcRequest, UnderstandsAllButTheBody) {
   EXPECT_TRUE(Made(RequestHeadOf("HEAD", "/v1/maps"))->is_head);
 }
 
-TEST(RpcRequest, TheLastEventIdCountsBeforeWhatTheUrlSays) {
+TEST(RpcRequest, TheLastEventIdPrecedesTheUrl) {
   const auto position_of = [](const char* query, http::Headers headers) {
     const http::RequestHead head = RequestHeadOf("GET", "/v1/maps/a:watch", std::move(headers));
     const auto request = RpcRequest::Make(head, Matched("GET", "/v1/maps/a:watch"), query, kMaxBody_bytes);
@@ -40,7 +40,7 @@ TEST(RpcRequest, TheLastEventIdCountsBeforeWhatTheUrlSays) {
   EXPECT_TRUE(other.ok()) << "what tells no events has no use for it";
 }
 
-TEST(RpcRequest, RefusesABodyBeforeItComes) {
+TEST(RpcRequest, RefusesABodyBeforeItArrives) {
   const auto at_limit = Made(RequestHeadOf("POST", "/v1/maps", {}, kMaxBody_bytes));
   EXPECT_TRUE(at_limit.ok()) << at_limit.status().message();
   const auto beyond = Made(RequestHeadOf("POST", "/v1/maps", {}, kMaxBody_bytes + 1));
@@ -75,7 +75,7 @@ TEST(RpcRequest, RefusesTypesAndCodingsThatItCannotRead) {
       Made(RequestHeadOf("POST", "/v1/maps", {{"Content-Type", "text/xml"}, {"Transfer-Encoding", "chunked"}})).ok());
 }
 
-TEST(RpcRequest, RefusesWhoAcceptsNothingThatThereIs) {
+TEST(RpcRequest, RefusesClientsThatAcceptNoAvailableType) {
   const http::Headers gltf = {{"Accept", "model/gltf-binary"}};
   EXPECT_EQ(Made(RequestHeadOf("GET", "/v1/maps/home", gltf)).status().reason(), Reason("NOT_ACCEPTABLE"));
   EXPECT_TRUE(Made(RequestHeadOf("GET", "/v1/maps/home/submaps/7/mesh", gltf)).ok()) << "it may be that file";

@@ -9,7 +9,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-TEST(RpcStatus, CarriesReasonAndViolationsAsAnRpcWould) {
+TEST(RpcStatus, HasReasonAndViolationsLikeAnRpc) {
   const Status error =
       InvalidArgument("the class is wrong").WithReason("BAD_EDIT").WithViolation("submap.class_id", "no such class");
   const RpcStatus status = ToRpcStatus(error);
@@ -22,7 +22,7 @@ TEST(RpcStatus, CarriesReasonAndViolationsAsAnRpcWould) {
   EXPECT_EQ(details.violations[0].field, "submap.class_id");
 }
 
-TEST(RpcStatus, TheDetailsSayTheSameCodeAndMessage) {
+TEST(RpcStatus, DetailsContainTheSameCodeAndMessage) {
   const RpcStatus status = ToRpcStatus(NotFound("no map \xFF"));
   google::rpc::Status proto;
   ASSERT_TRUE(proto.ParseFromString(status.details));

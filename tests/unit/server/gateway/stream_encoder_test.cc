@@ -31,7 +31,7 @@ TEST(StreamEncoder, OnlyTheFirstPartHasAHead) {
   }
 }
 
-TEST(StreamEncoder, PutsTheDataOfAFileTogether) {
+TEST(StreamEncoder, JoinsTheDataOfAFile) {
   StreamEncoder encoder(Download(), AnswerFormat::kAny, "x");
   const auto first = encoder.Encode(Part("ab", "application/x-ply", 5));
   ASSERT_TRUE(first.ok());
@@ -44,7 +44,7 @@ TEST(StreamEncoder, PutsTheDataOfAFileTogether) {
   EXPECT_FALSE(encoder.is_text()) << "an error in the middle of a file would be part of it";
 }
 
-TEST(StreamEncoder, NothingThatAnRpcSaysCanAddAHeader) {
+TEST(StreamEncoder, AnRpcCannotInjectAHeader) {
   StreamEncoder encoder(Download(), AnswerFormat::kAny, "x");
   const auto first = encoder.Encode(Part("", "text/plain\r\nSet-Cookie: a=b", -7));
   ASSERT_TRUE(first.ok());
@@ -54,7 +54,7 @@ TEST(StreamEncoder, NothingThatAnRpcSaysCanAddAHeader) {
   EXPECT_FALSE(first->head->length) << "a size that is none";
 }
 
-TEST(StreamEncoder, ALineOfTextAMessage) {
+TEST(StreamEncoder, WritesOneLinePerMessage) {
   StreamEncoder encoder(Voxels(), AnswerFormat::kAny, "");
   v1::StreamSubmapVoxelsResponse message;
   message.set_revision(7);
@@ -66,14 +66,14 @@ TEST(StreamEncoder, ALineOfTextAMessage) {
   EXPECT_TRUE(encoder.is_text());
 }
 
-TEST(StreamEncoder, AMessageOfProtobufComesAfterItsLength) {
+TEST(StreamEncoder, PrefixesProtobufMessagesWithTheirLength) {
   StreamEncoder encoder(Voxels(), AnswerFormat::kProtobuf, "");
   EXPECT_EQ(encoder.Encode("")->data, std::string(1, '\0'));
   EXPECT_EQ(encoder.Encode(std::string(300, 'x'))->data, "\xAC\x02" + std::string(300, 'x'));
   EXPECT_FALSE(encoder.is_text());
 }
 
-TEST(StreamEncoder, WhatIsNoMessageOfTheRpcIsInternal) {
+TEST(StreamEncoder, AMessageOfAnotherTypeIsInternal) {
   for (const AnswerFormat format : {AnswerFormat::kAny, AnswerFormat::kJson}) {
     StreamEncoder encoder(Download(), format, "x");
     EXPECT_EQ(encoder.Encode("\xFF").status().code(), StatusCode::kInternal);
@@ -90,7 +90,7 @@ TEST(StreamEncoder, GivesFilesTheirExtension) {
 
 const Route& Watch() { return *Matched("GET", "/v1/maps/a:watch").route; }
 
-TEST(StreamEncoder, AnEventSaysWhereToGoOnAndWhatItIs) {
+TEST(StreamEncoder, AnEventContainsItsPositionAndType) {
   StreamEncoder encoder(Watch(), AnswerFormat::kEvents, "");
   v1::WatchMapResponse message;
   message.set_position("abc-7");
@@ -111,7 +111,7 @@ TEST(StreamEncoder, AnEventSaysWhereToGoOnAndWhatItIs) {
   EXPECT_EQ(encoder.Silence(), ":\n\n");
 }
 
-TEST(StreamEncoder, ManyWhoGetTheSameEventShareWhatIsMadeOfIt) {
+TEST(StreamEncoder, ClientsOfTheSameEventShareItsEncoding) {
   SharedAnswers shared;
   StreamEncoder events(Watch(), AnswerFormat::kEvents, "", &shared), same(Watch(), AnswerFormat::kEvents, "", &shared),
       lines(Watch(), AnswerFormat::kJson, "", &shared), alone(Watch(), AnswerFormat::kEvents, "");
@@ -129,7 +129,7 @@ TEST(StreamEncoder, ManyWhoGetTheSameEventShareWhatIsMadeOfIt) {
   EXPECT_FALSE(same.Encode("garbage \xFF").ok());
 }
 
-TEST(StreamEncoder, EventsAreLinesToWhoAsksForNone) {
+TEST(StreamEncoder, EventsAreLinesUnlessRequested) {
   StreamEncoder encoder(Watch(), AnswerFormat::kAny, "");
   v1::WatchMapResponse message;
   message.set_position("abc-7");
@@ -138,7 +138,7 @@ TEST(StreamEncoder, EventsAreLinesToWhoAsksForNone) {
   EXPECT_EQ(encoder.Silence(), "\n");
 }
 
-TEST(StreamEncoder, AStreamThatTellsNoPositionIsOfEventsWithoutOne) {
+TEST(StreamEncoder, AStreamWithoutPositionsSendsEventsWithoutOne) {
   StreamEncoder encoder(Voxels(), AnswerFormat::kEvents, "");
   EXPECT_TRUE(encoder.Encode(v1::StreamSubmapVoxelsResponse().SerializeAsString())->data.starts_with("data: {"));
   EXPECT_EQ(encoder.Silence(), "") << "it is never silent for long";

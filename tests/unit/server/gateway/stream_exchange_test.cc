@@ -95,7 +95,7 @@ TEST_F(GatewayTest, AStreamThatFailsLaterEndsWithAnErrorLine) {
   EXPECT_EQ(At(At(AsJson(lines[1]), "error").struct_value(), "code").number_value(), 15);
 }
 
-TEST_F(GatewayTest, ABinaryStreamThatFailsLaterIsCutOffVisibly) {
+TEST_F(GatewayTest, ABinaryStreamThatFailsLaterIsVisiblyTruncated) {
   server.Set("StreamSubmapVoxels", {.messages = {Voxels(1)}, .status = grpc::Status(grpc::DATA_LOSS, "broken")});
   const http::HttpAnswer answer =
       client->Ask("GET", "/v1/maps/a/submaps/1/voxels", "", {{"Accept", "application/x-protobuf"}});
@@ -111,7 +111,7 @@ TEST_F(GatewayTest, AnEmptyStreamIsAnEmptyAnswer) {
   EXPECT_EQ(answer.Header("Content-Type"), "application/x-ndjson");
 }
 
-TEST_F(GatewayTest, AFileIsAFileUnlessJsonIsAskedFor) {
+TEST_F(GatewayTest, AFileIsSentAsAFileUnlessJsonIsRequested) {
   server.Set("GetSubmapMesh", {.messages = {MeshPart("ply\n", "application/x-ply", 10), MeshPart("abc"), MeshPart(""),
                                             MeshPart("def")}});
   const http::HttpAnswer file = client->Ask("GET", "/v1/maps/home/submaps/7/mesh", "", {{"Accept", "*/*"}});
@@ -166,7 +166,7 @@ TEST_F(GatewayTest, OneFrameAsPlainJsonOrProtobuf) {
   EXPECT_NE(answer.body.find(R"("sequence":"9")"), std::string::npos) << answer.body;
 }
 
-TEST_F(GatewayTest, TheRpcIsToldOfABodyThatIsOneMessage) {
+TEST_F(GatewayTest, TheRpcLearnsThatABodyIsOneMessage) {
   server.Set("IntegrateFrames", {.acknowledge = Acknowledge});
   std::size_t num_calls = 0;
   const auto was_told = [&] { return server.WaitForCall(++num_calls).metadata.contains("dhpmap-one-message"); };
@@ -185,7 +185,7 @@ TEST_F(GatewayTest, TheRpcIsToldOfABodyThatIsOneMessage) {
   }
   EXPECT_TRUE(send("application/x-protobuf", "\x10\x05"));
 
-  // In chunks the end comes later: what says that it is one JSON value is waited for, a stream goes on at once.
+  // With chunks the end is unknown: a single JSON value is awaited completely, a stream is passed on at once.
   const auto send_chunks = [&](const std::string& type, const std::vector<std::string>& chunks) {
     http::HttpClient fresh(gateway->port());  // an answer before the body's end ends its connection
     fresh.SendRaw(
@@ -239,7 +239,7 @@ TEST_F(GatewayTest, FramesAsDelimitedProtobufInPieces) {
   EXPECT_EQ(count, 20);
 }
 
-TEST_F(GatewayTest, AcknowledgementsComeWhileFramesAreStillBeingSent) {
+TEST_F(GatewayTest, AcknowledgementsArriveWhileFramesAreStillSent) {
   server.Set("IntegrateFrames", {.acknowledge = Acknowledge});
   client->SendRaw("POST /v1/maps/a:integrateFrames HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n");
   for (int i = 1; i <= 3; ++i) {
@@ -254,7 +254,7 @@ TEST_F(GatewayTest, AcknowledgementsComeWhileFramesAreStillBeingSent) {
   client->SendRaw("0\r\n\r\n");
 }
 
-TEST_F(GatewayTest, AMalformedFrameEndsTheStreamAfterTheGoodOnes) {
+TEST_F(GatewayTest, AMalformedFrameEndsTheStreamAfterTheValidOnes) {
   server.Set("IntegrateFrames", {.acknowledge = Acknowledge});
   const http::HttpAnswer answer =
       client->Ask("POST", "/v1/maps/a:integrateFrames", Frame(1) + "\n" + Frame(2) + "\n{\"sequence\":x}\n" + Frame(4));
@@ -267,7 +267,7 @@ TEST_F(GatewayTest, AMalformedFrameEndsTheStreamAfterTheGoodOnes) {
       << lines[2];
 }
 
-TEST_F(GatewayTest, AMalformedFirstFrameIsAPlainErrorAndNoCall) {
+TEST_F(GatewayTest, AMalformedFirstFrameIsAPlainErrorWithoutACall) {
   const http::HttpAnswer answer = client->Ask("POST", "/v1/maps/a:integrateFrames", "[1,2]");
   EXPECT_EQ(answer.status, 400);
   EXPECT_NE(answer.body.find("message 1: malformed JSON"), std::string::npos) << answer.body;
@@ -275,7 +275,7 @@ TEST_F(GatewayTest, AMalformedFirstFrameIsAPlainErrorAndNoCall) {
   EXPECT_EQ(server.num_calls(), 0u);
 }
 
-TEST_F(GatewayTest, AStreamMayBeLongerThanABodyButNotAMessageOfIt) {
+TEST_F(GatewayTest, AStreamMayExceedTheBodyLimitButItsMessagesMayNot) {
   DHPMAP_SKIP_MEGABYTES();
   server.Set("IntegrateFrames", {.acknowledge = Acknowledge});
   const std::string blob(400'000, 'A');
@@ -296,7 +296,7 @@ TEST_F(GatewayTest, AStreamMayBeLongerThanABodyButNotAMessageOfIt) {
   EXPECT_EQ(At(At(AsJson(lines[1]), "error").struct_value(), "code").number_value(), 8);
 }
 
-TEST_F(GatewayTest, TheRpcsOwnErrorWins) {
+TEST_F(GatewayTest, TheRpcsErrorTakesPrecedence) {
   server.Set("IntegrateFrames", {.status = grpc::Status(grpc::NOT_FOUND, "no map a")});
   const http::HttpAnswer answer = client->Ask("POST", "/v1/maps/a:integrateFrames", Frame(1) + Frame(2));
   EXPECT_EQ(answer.status, 404);
@@ -311,7 +311,7 @@ TEST_F(GatewayTest, AClientStreamWithOneAnswer) {
   EXPECT_EQ(At(AsJson(answer.body), "i32").number_value(), 3);
 }
 
-TEST_F(GatewayTest, ASlowReaderHoldsTheServerBack) {
+TEST_F(GatewayTest, ASlowReaderSlowsTheServer) {
   DHPMAP_SKIP_MEGABYTES();
   // 200 MB could not be kept anywhere without notice; the client reads only after a while.
   const std::string big = MeshPart(std::string(1u << 20, 'm'), "x/y");
@@ -324,7 +324,7 @@ TEST_F(GatewayTest, ASlowReaderHoldsTheServerBack) {
   EXPECT_TRUE(answer.is_complete);
 }
 
-TEST_F(GatewayTest, AClientThatLeavesAStreamCancelsIt) {
+TEST_F(GatewayTest, AClientThatDisconnectsCancelsItsStream) {
   DHPMAP_SKIP_MEGABYTES();
   const std::string big = MeshPart(std::string(1u << 20, 'm'), "x/y");
   server.Set("GetSubmapMesh", {.messages = std::vector<std::string>(200, big)});
@@ -334,7 +334,7 @@ TEST_F(GatewayTest, AClientThatLeavesAStreamCancelsIt) {
   EXPECT_TRUE(server.WaitForCancel());
 }
 
-TEST_F(GatewayTest, AClientThatStopsSendingInTheMiddleCancelsTheStream) {
+TEST_F(GatewayTest, AClientThatStopsWithinAMessageCancelsTheStream) {
   server.Set("IntegrateFrames", {.acknowledge = Acknowledge});
   client->SendRaw("POST /v1/maps/a:integrateFrames HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1000\r\n\r\n" +
                   Frame(1));
@@ -343,10 +343,10 @@ TEST_F(GatewayTest, AClientThatStopsSendingInTheMiddleCancelsTheStream) {
   EXPECT_TRUE(server.WaitForCancel());
 }
 
-/// One exchange without any connection.
+/// An exchange without a connection.
 class StreamExchangeTest : public ::testing::Test {
  protected:
-  /// Calls, and exchanges that they keep, are gone before what they use.
+  /// Calls, and the exchanges that they hold, end before the objects that they use.
   ~StreamExchangeTest() override {
     EXPECT_TRUE(responder->RunUntil([&] { return caller.WaitUntilIdle(std::chrono::milliseconds(0)); }));
   }
@@ -364,7 +364,7 @@ class StreamExchangeTest : public ::testing::Test {
   Lane bulk{{}};
 };
 
-TEST_F(StreamExchangeTest, HoldsTheConnectionBackWhileAMessageIsOnItsWay) {
+TEST_F(StreamExchangeTest, PausesTheConnectionWhileAMessageIsInFlight) {
   server.Set("IntegrateFrames", {.acknowledge = Acknowledge});
   const auto exchange = Begin(RequestHeadOf("POST", "/v1/maps/a:integrateFrames"));
   EXPECT_TRUE(exchange->OnBody(R"({"sequence":)")) << "no message yet";
@@ -412,7 +412,7 @@ TEST_F(StreamExchangeTest, LargeMessagesAreEncodedOnTheLaneAndSmallOnesDoNotWait
   }
 }
 
-TEST_F(StreamExchangeTest, OnePartOfTheAnswerIsUnderWayAtATime) {
+TEST_F(StreamExchangeTest, OnePartOfTheAnswerIsInFlightAtATime) {
   server.Set("StreamSubmapVoxels", {.messages = std::vector<std::string>(20, Voxels(1))});
   const auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1/voxels"));
   exchange->OnBodyEnd();
@@ -430,7 +430,7 @@ TEST_F(StreamExchangeTest, OnePartOfTheAnswerIsUnderWayAtATime) {
   EXPECT_TRUE(responder->replies.empty());
 }
 
-TEST_F(StreamExchangeTest, AClosedConnectionHearsNothingMoreAndGivesItsBytesBack) {
+TEST_F(StreamExchangeTest, AClosedConnectionGetsNoFurtherCallsAndFreesItsBytes) {
   server.Set("StreamSubmapVoxels", {.messages = std::vector<std::string>(50, Voxels(1))});
   auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a/submaps/1/voxels"));
   exchange->OnBodyEnd();

@@ -99,7 +99,7 @@ TEST_F(GatewayTest, PatchWithAProtobufBodyLeavesTheMaskToTheServer) {
   EXPECT_FALSE(heard.has_update_mask());
 }
 
-TEST_F(GatewayTest, BodiesAndAnswersThatAreOneField) {
+TEST_F(GatewayTest, BodiesAndAnswersMayBeASingleField) {
   Everything response;
   response.add_many_text("p");
   response.mutable_child()->set_i32(4);
@@ -115,7 +115,7 @@ TEST_F(GatewayTest, BodiesAndAnswersThatAreOneField) {
   EXPECT_EQ(client->Ask("POST", "/test/whole/9/maybe", "{}").status, 400) << "a path value of the wrong type";
 }
 
-TEST_F(GatewayTest, MalformedJsonIsAnsweredWithItsPlace) {
+TEST_F(GatewayTest, ErrorsOfMalformedJsonNameTheirPosition) {
   const http::HttpAnswer answer = client->Ask("POST", "/v1/maps", "{\"map_id\":\"x\",\n oops}");
   EXPECT_EQ(answer.status, 400);
   const auto json = AsJson(answer.body);
@@ -133,7 +133,7 @@ TEST_F(GatewayTest, MalformedProtobufIsRefused) {
   EXPECT_NE(answer.body.find("dhpmap.v1.CreateMapRequest"), std::string::npos);
 }
 
-/// What the request's message is, or the error.
+/// The request's message, or the error.
 template <typename Message>
 Result<Message> Transcoded(const std::string& method, const std::string& path, const std::string& query,
                            const std::string& body, BodyFormat format = BodyFormat::kJson) {
@@ -144,7 +144,7 @@ Result<Message> Transcoded(const std::string& method, const std::string& path, c
   return message;
 }
 
-TEST(RequestTranscoder, ThePathWinsOverTheBody) {
+TEST(RequestTranscoder, ThePathTakesPrecedenceOverTheBody) {
   const auto request = Transcoded<Everything>("POST", "/test/whole/9/true", "", R"({"i32":1,"flag":false,"text":"t"})");
   ASSERT_TRUE(request.ok()) << request.status().message();
   EXPECT_EQ(request->i32(), 9);
@@ -152,7 +152,7 @@ TEST(RequestTranscoder, ThePathWinsOverTheBody) {
   EXPECT_EQ(request->text(), "t");
 }
 
-TEST(RequestTranscoder, TheQueryFillsWhatABodyOfOneFieldLeaves) {
+TEST(RequestTranscoder, TheQueryFillsTheFieldsOutsideASingleFieldBody) {
   const auto request = Transcoded<Everything>("PUT", "/test/x", "i32=4&child.i32=5", R"([{"i32":1}])");
   ASSERT_TRUE(request.ok()) << request.status().message();
   EXPECT_EQ(request->text(), "x");
@@ -170,7 +170,7 @@ TEST(RequestTranscoder, NoBodyIsAnEmptyMessage) {
   EXPECT_EQ(Transcoded<Everything>("GET", "/test/x:query", "", "{}").status().reason(), Reason("UNEXPECTED_BODY"));
 }
 
-TEST(RequestTranscoder, ABodyThatIsNoMessageCannotBeProtobuf) {
+TEST(RequestTranscoder, ASingleFieldBodyCannotBeProtobuf) {
   const auto request = Transcoded<Everything>("POST", "/test/texts", "", "abc", BodyFormat::kProtobuf);
   EXPECT_EQ(request.status().reason(), Reason("MALFORMED_PROTOBUF"));
 }
@@ -184,7 +184,7 @@ TEST(RequestTranscoder, OneTranscoderMakesAllMessagesOfAStream) {
   EXPECT_TRUE(transcoder->ToRequest(BodyFormat::kJson, R"({"i32":2})").ok()) << "nothing is left of the bad one";
 }
 
-TEST(Varint, HasSevenBitsAByteTheLowestFirst) {
+TEST(Varint, HasSevenBitsPerByteFromTheLowest) {
   for (const std::uint64_t size : {0ull, 1ull, 127ull, 128ull, 300ull, 1ull << 32, ~0ull}) {
     std::string bytes;
     AppendVarint(size, &bytes);

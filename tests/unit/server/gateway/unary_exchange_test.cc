@@ -15,7 +15,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-TEST_F(GatewayTest, GetPutsThePathIntoTheRequestAndAnswersJson) {
+TEST_F(GatewayTest, GetFillsTheRequestFromThePathAndAnswersJson) {
   v1::GetMapResponse response;
   response.mutable_map()->set_name("maps/home");
   response.set_revision(42);
@@ -30,7 +30,7 @@ TEST_F(GatewayTest, GetPutsThePathIntoTheRequestAndAnswersJson) {
   EXPECT_EQ(server.WaitForCall().method, "/dhpmap.v1.MapService/GetMap");
 }
 
-TEST_F(GatewayTest, PostTakesJsonUnderCurlsDefaultContentType) {
+TEST_F(GatewayTest, PostAcceptsJsonUnderCurlsDefaultContentType) {
   const std::string body = R"({"map_id":"home","config":{"voxelSizeM":0.05,"integration":{"antiGrazing":true}}})";
   for (const char* type :
        {"application/json", "application/x-www-form-urlencoded", "Application/JSON; charset=utf-8"}) {
@@ -44,7 +44,7 @@ TEST_F(GatewayTest, PostTakesJsonUnderCurlsDefaultContentType) {
   EXPECT_TRUE(heard.config().integration().anti_grazing());
 }
 
-TEST_F(GatewayTest, LargeBodiesUnderCurlsDefaultTypeAreNoForms) {
+TEST_F(GatewayTest, LargeBodiesUnderCurlsDefaultTypeAreNotForms) {
   DHPMAP_SKIP_MEGABYTES();
   std::string body = R"({"packed_points_m":[0)";
   while (body.size() < 300'000) body += ",0.25,-1.5,2";
@@ -55,7 +55,7 @@ TEST_F(GatewayTest, LargeBodiesUnderCurlsDefaultTypeAreNoForms) {
   EXPECT_GT(Heard<v1::QueryPointsRequest>().packed_points_m_size(), 70'000);
 }
 
-TEST_F(GatewayTest, AnAnswerThatHoldsAFileIsAFileUnlessJsonIsAskedFor) {
+TEST_F(GatewayTest, AnAnswerWithAFileIsSentAsAFileUnlessJsonIsRequested) {
   v1::QueryOccupancySliceResponse slice;
   slice.set_data("P5\n1 1\n255\n\xfe");
   slice.set_content_type("image/x-portable-graymap");
@@ -80,7 +80,7 @@ TEST_F(GatewayTest, AnAnswerThatHoldsAFileIsAFileUnlessJsonIsAskedFor) {
       << "an answer that may hold a file, and does not";
 }
 
-TEST_F(GatewayTest, ProtobufGoesBothWays) {
+TEST_F(GatewayTest, ProtobufWorksInBothDirections) {
   v1::QueryPointsRequest request;
   request.add_packed_points_m(1.5f);
   request.set_map("maps/wrong");  // the path wins
@@ -114,7 +114,7 @@ TEST_F(GatewayTest, ForwardsMetadataAndGivesEveryRequestAnId) {
   EXPECT_NE(first, second);
 }
 
-TEST_F(GatewayTest, MetadataThatGrpcCannotCarryIsRefused) {
+TEST_F(GatewayTest, InvalidMetadataIsRefused) {
   EXPECT_EQ(client->Ask("GET", "/v1/maps", "", {{"Authorization", "Bearer \xC3\xA4"}}).status, 400);
   EXPECT_EQ(client->Ask("GET", "/v1/maps", "", {{"X-Request-Id", "a\tb"}}).status, 400);
   EXPECT_EQ(client->Ask("GET", "/v1/maps").status, 200) << "the server is still up";
@@ -133,7 +133,7 @@ TEST_F(GatewayTest, TimeoutsBecomeDeadlines) {
   EXPECT_EQ(client->Ask("GET", "/v1/maps", "", {{"X-Timeout-S", "1e300"}}).status, 200) << "as good as none";
 }
 
-TEST_F(GatewayTest, AClientThatGoesAwayCancelsTheRpc) {
+TEST_F(GatewayTest, ADisconnectedClientCancelsTheRpc) {
   server.Set("GetMap", {.hang = true});
   client->SendRaw("GET /v1/maps/a HTTP/1.1\r\nHost: localhost\r\n\r\n");
   server.WaitForCall();
@@ -148,10 +148,10 @@ TEST_F(GatewayTest, AnAnswerOfTheWrongTypeIsAnInternalError) {
   EXPECT_EQ(At(AsJson(answer.body), "code").number_value(), 13);
 }
 
-/// One exchange without any connection.
+/// An exchange without a connection.
 class UnaryExchangeTest : public ::testing::Test {
  protected:
-  /// Calls, and exchanges that they keep, are gone before what they use.
+  /// Calls, and the exchanges that they hold, end before the objects that they use.
   ~UnaryExchangeTest() override {
     EXPECT_TRUE(responder->RunUntil([&] { return caller.WaitUntilIdle(std::chrono::milliseconds(0)); }));
   }
@@ -170,7 +170,7 @@ class UnaryExchangeTest : public ::testing::Test {
   Lane bulk{{}};
 };
 
-TEST_F(UnaryExchangeTest, PutsTheBodyTogetherAndAnswersOnce) {
+TEST_F(UnaryExchangeTest, JoinsTheBodyAndAnswersOnce) {
   const auto exchange = Begin(RequestHeadOf("POST", "/v1/maps"));
   for (const char c : std::string(R"({"map_id":"home"})")) EXPECT_TRUE(exchange->OnBody({&c, 1}));
   EXPECT_EQ(server.num_calls(), 0u) << "not before the body is whole";
@@ -181,7 +181,7 @@ TEST_F(UnaryExchangeTest, PutsTheBodyTogetherAndAnswersOnce) {
   EXPECT_FALSE(http::FindHeader(responder->replies[0].headers, "x-request-id").empty());
 }
 
-TEST_F(UnaryExchangeTest, ABodyThatGrowsTooLargeIsAnsweredAndTheRestLetGo) {
+TEST_F(UnaryExchangeTest, ABodyThatExceedsTheLimitIsAnsweredAndTheRestDropped) {
   const auto exchange = Begin(RequestHeadOf("POST", "/v1/maps", {{"Transfer-Encoding", "chunked"}}), 100);
   EXPECT_TRUE(exchange->OnBody(std::string(100, ' ')));
   EXPECT_FALSE(HasReply());
@@ -218,7 +218,7 @@ TEST_F(UnaryExchangeTest, AnAnswerBeyondTheBudgetIsNotKept) {
   EXPECT_EQ(budget.used_bytes(), 0u);
 }
 
-/// Exchanges with room for what is large, and a lane that is busy with something else until it is let go.
+/// Exchanges with memory for large messages, and a lane that other work occupies until it is released.
 class LargeUnaryExchangeTest : public UnaryExchangeTest {
  protected:
   static constexpr std::size_t kLarge = 10 * kMostQuickBytes;
@@ -272,7 +272,7 @@ TEST_F(LargeUnaryExchangeTest, ALargeAnswerIsMadeOnTheLaneAndASmallOneDoesNotWai
   EXPECT_GT(responder->replies[0].body.size(), kLarge);
 }
 
-TEST_F(LargeUnaryExchangeTest, ABodyWhoseClientIsGoneIsNeverRead) {
+TEST_F(LargeUnaryExchangeTest, ABodyOfADisconnectedClientIsNotParsed) {
   auto exchange = BeginLarge(LargeBody(), responder);
   EXPECT_GE(room.used_bytes(), kLarge);
   exchange->OnClosed();
@@ -282,7 +282,7 @@ TEST_F(LargeUnaryExchangeTest, ABodyWhoseClientIsGoneIsNeverRead) {
   EXPECT_EQ(server.num_calls(), 0u);
 }
 
-TEST_F(UnaryExchangeTest, AClosedConnectionHearsNothingMore) {
+TEST_F(UnaryExchangeTest, AClosedConnectionGetsNoFurtherCalls) {
   server.Set("GetMap", {.hang = true});
   const auto exchange = Begin(RequestHeadOf("GET", "/v1/maps/a"));
   exchange->OnBodyEnd();

@@ -8,7 +8,7 @@
 namespace dhpmap::gateway {
 namespace {
 
-TEST_F(GatewayTest, TheViewerIsThereWholeForWhoTakesGzipAndWhoDoesNot) {
+TEST_F(GatewayTest, TheViewerIsServedWithAndWithoutGzip) {
   ASSERT_FALSE(web::WebFiles().empty());
   for (const web::WebFile& file : web::WebFiles()) {
     const std::string path = "/ui/" + std::string(file.name);
@@ -25,7 +25,7 @@ TEST_F(GatewayTest, TheViewerIsThereWholeForWhoTakesGzipAndWhoDoesNot) {
   EXPECT_EQ(client->Ask("POST", "/ui/", "{}").status, 405);
 }
 
-TEST_F(GatewayTest, TheViewerMayTalkToThisServerAlone) {
+TEST_F(GatewayTest, TheViewerMayConnectOnlyToThisServer) {
   const http::HttpAnswer page = client->Ask("GET", "/ui/");
   const std::string policy = page.Header("Content-Security-Policy");
   EXPECT_NE(policy.find("default-src 'none'; script-src 'self'; style-src 'self'"), std::string::npos) << policy;
@@ -35,14 +35,14 @@ TEST_F(GatewayTest, TheViewerMayTalkToThisServerAlone) {
   EXPECT_EQ(page.body.find("<script>"), std::string::npos) << "no script in the page";
 }
 
-TEST_F(GatewayTest, TheViewerIsNotSentAgainToWhoHasIt) {
+TEST_F(GatewayTest, TheViewerIsNotSentAgainIfCached) {
   const std::string etag = client->Ask("GET", "/ui/viewer.js").Header("ETag");
   const http::HttpAnswer again = client->Ask("GET", "/ui/viewer.js", "", {{"If-None-Match", etag}});
   EXPECT_EQ(again.status, 304);
   EXPECT_EQ(again.body, "");
 }
 
-TEST_F(GatewayTest, BrowsersAreSentFromTheRootToTheViewerAndOthersGetTheIndex) {
+TEST_F(GatewayTest, TheRootRedirectsBrowsersToTheViewerAndServesOthersTheIndex) {
   const http::HttpAnswer browser =
       client->Ask("GET", "/", "", {{"Accept", "text/html,application/xhtml+xml,*/*;q=0.8"}});
   EXPECT_EQ(browser.status, 302);

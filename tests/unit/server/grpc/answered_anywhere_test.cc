@@ -60,7 +60,7 @@ void SetNumber(Message& message, const char* name, std::int64_t number) {
   else message.GetReflection()->SetInt64(&message, field, number);
 }
 
-TEST(AnsweredAnywhere, IsNothingByDefaultButAWatch) {
+TEST(AnsweredAnywhere, IsOnlyAWatchByDefault) {
   ASSERT_GT(AllMethods().size(), 30u);
   for (const MethodDescriptor* method : AllMethods()) {
     const bool is_watch = method->input_type() == v1::WatchMapRequest::descriptor();
@@ -68,7 +68,7 @@ TEST(AnsweredAnywhere, IsNothingByDefaultButAWatch) {
   }
 }
 
-TEST(AnsweredAnywhere, IsEveryReadOfAMapThatAsksForIt) {
+TEST(AnsweredAnywhere, IsEveryEventualReadOfAMap) {
   int num_reads = 0;
   for (const MethodDescriptor* method : AllMethods()) {
     for (const Descriptor* type : ReadsOf(*method->input_type())) {
@@ -83,7 +83,7 @@ TEST(AnsweredAnywhere, IsEveryReadOfAMapThatAsksForIt) {
   EXPECT_GT(num_reads, 15);
 }
 
-TEST(AnsweredAnywhere, IsAStreamWhoseQueryAsksForIt) {
+TEST(AnsweredAnywhere, IsAStreamWithAnEventualQuery) {
   v1::StreamQueriesRequest message;
   EXPECT_FALSE(AnsweredAnywhere(message)) << "no query";
   message.mutable_query_points()->set_map("maps/room");

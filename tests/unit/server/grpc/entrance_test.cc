@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(Entrance, ClosesWhatComesAfterTheServerHasGone) {
+TEST(Entrance, ClosesConnectionsAfterTheServerHasEnded) {
   grpc::ServerBuilder builder;
   Entrance entrance(auth::Gate::Open(), builder);
   entrance.Close();

@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-/// In slices of so many bytes, as they come from a connection.
+/// In slices of so many bytes, as from a connection.
 grpc::ByteBuffer FrameBytesOf(const std::string& text, std::size_t slice_bytes = 7) {
   std::vector<grpc::Slice> slices;
   for (std::size_t at = 0; at < text.size(); at += slice_bytes) slices.emplace_back(text.substr(at, slice_bytes));
@@ -34,7 +34,7 @@ Result<MessageOutline> FrameOutlineOf(const grpc::ByteBuffer& bytes) {
   return OutlineOf(LayoutOf<v1::IntegrateFramesRequest>(), bytes);
 }
 
-TEST(FrameMessage, ParsedIsWhatWasSentHoweverItIsCut) {
+TEST(FrameMessage, IsParsedWhateverItsSlices) {
   const std::string sent = FrameRequestOf(3).SerializeAsString();
   for (const std::size_t slice_bytes : {1u, 7u, 4096u}) {
     const grpc::ByteBuffer bytes = FrameBytesOf(sent, slice_bytes);
@@ -46,7 +46,7 @@ TEST(FrameMessage, ParsedIsWhatWasSentHoweverItIsCut) {
   }
 }
 
-TEST(FrameMessage, ItsHeadIsAllButTheFrame) {
+TEST(FrameMessage, HasAHeadWithoutTheFrame) {
   v1::IntegrateFramesRequest request = FrameRequestOf(3);
   const auto head = ParseFrameHead(FrameBytesOf(request.SerializeAsString()));
   const auto outline = FrameOutlineOf(FrameBytesOf(request.SerializeAsString()));
@@ -60,7 +60,7 @@ TEST(FrameMessage, ItsHeadIsAllButTheFrame) {
   EXPECT_EQ(without->num_fields, 2u) << "the map and the session; a number takes nothing";
 }
 
-TEST(FrameMessage, HasNoMoreSegmentsThanFieldsAreCounted) {
+TEST(FrameMessage, HasAtMostAsManySegmentsAsCountedFields) {
   for (const int num_segments : {0, 1, 10'000}) {
     const v1::IntegrateFramesRequest request = FrameRequestOf(num_segments);
     const auto outline = FrameOutlineOf(FrameBytesOf(request.SerializeAsString(), 4096));
@@ -71,7 +71,7 @@ TEST(FrameMessage, HasNoMoreSegmentsThanFieldsAreCounted) {
   }
 }
 
-TEST(FrameMessage, TwoFramesAreOneAsProtobufHasIt) {
+TEST(FrameMessage, TwoFramesAreMergedLikeProtobufDoes) {
   v1::IntegrateFramesRequest first, second;
   first.mutable_frame()->add_segments()->set_id(1);
   second.mutable_frame()->add_segments()->set_id(2);
@@ -83,7 +83,7 @@ TEST(FrameMessage, TwoFramesAreOneAsProtobufHasIt) {
   EXPECT_GE(outline->num_fields, 4u);
 }
 
-TEST(FrameMessage, OfNoBytesIsAnEmptyOne) {
+TEST(FrameMessage, OfNoBytesIsEmpty) {
   const grpc::ByteBuffer none = FrameBytesOf("");
   const auto message = ParseFrameMessage(none);
   ASSERT_TRUE(message.ok());
@@ -103,7 +103,7 @@ std::string TextField(int number, const std::string& text) {
 }
 
 /// Small on the wire and large in memory, by what is known and by what is not, at the top and further down.
-TEST(FrameMessage, TakesNoMoreMemoryThanItsOutlineSaysHoweverDeepThatIs) {
+TEST(FrameMessage, NeverTakesMoreMemoryThanItsOutline) {
   constexpr int kMany = 20'000;
   const auto many = [](const std::string& what) {
     std::string all;
@@ -128,7 +128,7 @@ TEST(FrameMessage, TakesNoMoreMemoryThanItsOutlineSaysHoweverDeepThatIs) {
   }
 }
 
-TEST(FrameMessage, WhatIsNestedDeeperThanTheParserGoesIsMalformed) {
+TEST(FrameMessage, ThatIsNestedTooDeeplyIsMalformed) {
   for (const int depth : {50, 99, 100, 101, 1000, 1'000'000}) {
     const std::string text =
         std::string(static_cast<std::size_t>(depth), '\x7b') + std::string(static_cast<std::size_t>(depth), '\x7c');
@@ -139,10 +139,10 @@ TEST(FrameMessage, WhatIsNestedDeeperThanTheParserGoesIsMalformed) {
   EXPECT_FALSE(FrameOutlineOf(FrameBytesOf("\x7b\x7b\x7c\x74")).ok()) << "ends another group than it began";
 }
 
-TEST(FrameMessage, OfWhichTooMuchIsBesideItsFrameIsRefusedUnread) {
+TEST(FrameMessage, WithTooMuchBesideItsFrameIsRefusedUnread) {
   constexpr std::size_t kFits = (64u << 10) - 4, kTooLong = 64u << 10;
   const std::string frame = TextField(3, "");
-  for (const int number : {4, 15}) {  // the session, and a field that nobody knows
+  for (const int number : {4, 15}) {  // the session, and an unknown field
     EXPECT_TRUE(ParseFrameHead(FrameBytesOf(frame + TextField(number, std::string(kFits, 's')))).ok());
     const auto refused = ParseFrameHead(FrameBytesOf(TextField(number, std::string(kTooLong, 's')) + frame));
     EXPECT_FALSE(refused.ok());
@@ -153,8 +153,8 @@ TEST(FrameMessage, OfWhichTooMuchIsBesideItsFrameIsRefusedUnread) {
   EXPECT_FALSE(ParseFrameHead(FrameBytesOf(many_frames, 4096)).ok());
 }
 
-/// What the parser takes the outline takes; it looks at no text.
-TEST(FrameMessage, WhatIsCutOffIsMalformed) {
+/// The outline accepts what the parser accepts; it does not check strings.
+TEST(FrameMessage, ThatIsTruncatedIsMalformed) {
   const std::string sent = FrameRequestOf(2).SerializeAsString();
   for (std::size_t length = 0; length < sent.size(); ++length) {
     const grpc::ByteBuffer bytes = FrameBytesOf(sent.substr(0, length));
@@ -168,7 +168,7 @@ TEST(FrameMessage, WhatIsCutOffIsMalformed) {
   }
 }
 
-TEST(FrameMessage, WhatIsNoneIsMalformed) {
+TEST(FrameMessage, ThatIsInvalidIsMalformed) {
   const std::string no_tag("\0", 1), group_without_end("\x0b\x08\x01", 3), end_alone("\x0c", 1);
   const std::string cut_frame("\x1a\x05\x08", 3), no_utf8("\x0a\x01\xff", 3), huge("\x1a\xff\xff\xff\xff\x0f", 6);
   for (const std::string& text : {no_tag, group_without_end, end_alone, cut_frame, no_utf8, huge}) {

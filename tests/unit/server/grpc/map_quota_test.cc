@@ -21,7 +21,7 @@ class MapQuotaTest : public ::testing::Test {
     EXPECT_TRUE(auth::ChangeKeyFile(key_file, [](std::vector<auth::KeyRecord>&) { return Status::Ok(); }).ok());
     Start({.maps = 3});
   }
-  /// As of a server that starts with these limits.
+  /// Starts a server with these limits.
   void Start(const auth::CallLimits& limits) {
     quota.reset();
     gate =
@@ -53,7 +53,7 @@ class MapQuotaTest : public ::testing::Test {
   Reason reason;
 };
 
-TEST_F(MapQuotaTest, CountsMapsThatAreThereAndThatAreBeingMade) {
+TEST_F(MapQuotaTest, CountsExistingMapsAndThoseBeingMade) {
   Make("anna", "a");
   auto second = Begin("anna");
   const auto third = Begin("anna");
@@ -68,7 +68,7 @@ TEST_F(MapQuotaTest, CountsMapsThatAreThereAndThatAreBeingMade) {
   EXPECT_NE(Begin("anna"), nullptr);
 }
 
-TEST_F(MapQuotaTest, KnowsAfterARestartWhoHasMadeWhat) {
+TEST_F(MapQuotaTest, KnowsOwnersAfterARestart) {
   Make("anna", "a");
   Make("bert", "b");
   ASSERT_TRUE(registry->Create(MapInfo{.name = "of-nobody"}).ok());
@@ -78,7 +78,7 @@ TEST_F(MapQuotaTest, KnowsAfterARestartWhoHasMadeWhat) {
   EXPECT_NE(Begin("bert"), nullptr);
 }
 
-TEST_F(MapQuotaTest, WhoseMapsAreTooLargeMakesAndFeedsNoMore) {
+TEST_F(MapQuotaTest, APrincipalBeyondItsDiskQuotaMakesAndFeedsNoMap) {
   Make("anna", "a");
   ASSERT_TRUE(registry->Create(MapInfo{.name = "of-nobody"}).ok());
   Start({.disk_bytes = 1});
@@ -90,7 +90,7 @@ TEST_F(MapQuotaTest, WhoseMapsAreTooLargeMakesAndFeedsNoMore) {
   EXPECT_EQ(reason, Reason("OUT_OF_QUOTA"));
 }
 
-TEST_F(MapQuotaTest, OfCallersWithoutKeysNothingIsAsked) {
+TEST_F(MapQuotaTest, DoesNotLimitCallersWithoutKeys) {
   const auto open = auth::Gate::Open();
   MapQuota without(*open, *registry);
   const auto making = without.Begin(Caller());
@@ -99,7 +99,7 @@ TEST_F(MapQuotaTest, OfCallersWithoutKeysNothingIsAsked) {
   EXPECT_TRUE(without.CheckFeed(MapInfo{.history_id = 7}).ok());
 }
 
-TEST_F(MapQuotaTest, TheFileDoesNotGrowByMapsThatComeAndGo) {
+TEST_F(MapQuotaTest, TheFileDoesNotGrowWithDeletedMaps) {
   for (int i = 0; i < 2500; ++i) {
     Make("anna", "a");
     ASSERT_TRUE(registry->Delete("a").ok());

@@ -45,7 +45,7 @@ std::string Repeat(const std::string& what, int times) {
 
 constexpr int kTimes = 500;
 
-/// Fields that are small on the wire, many of each kind that a message of this type may have.
+/// Many fields of each kind of the type, all small on the wire.
 std::vector<std::string> TinyFields(const Descriptor& type) {
   std::vector<std::string> all{Repeat(std::string("\xf8\x7d\x00", 3), kTimes),
                                Repeat(std::string("\xfa\x7d\x00", 3), kTimes), Repeat("\xfb\x7d\xfc\x7d", kTimes),
@@ -98,7 +98,7 @@ void ExpectNeverMoreThanOutlined() {
   for (const std::string& text : TinyMessages(*Request::descriptor(), 2, 3)) expect(text);
 }
 
-TEST(MessageOutline, SaysNoLessThanTheMessageTakesOfAnyRequestThatMayBeLarge) {
+TEST(MessageOutline, IsNeverBelowTheMemoryOfALargeRequest) {
   ExpectNeverMoreThanOutlined<v1::ApplyEditsRequest>();
   ExpectNeverMoreThanOutlined<v1::CastRaysRequest>();
   ExpectNeverMoreThanOutlined<v1::CheckCollisionsRequest>();
@@ -112,7 +112,7 @@ TEST(MessageOutline, SaysNoLessThanTheMessageTakesOfAnyRequestThatMayBeLarge) {
   ExpectNeverMoreThanOutlined<v1::UpdateMapRequest>();
 }
 
-TEST(MessageOutline, SaysLittleMoreThanWhatIsSentTakes) {
+TEST(MessageOutline, IsLittleAboveTheMemoryOfARealRequest) {
   v1::QueryPointsRequest request;
   request.set_map("maps/room");
   for (int i = 0; i < 10'000; ++i) {
@@ -126,7 +126,7 @@ TEST(MessageOutline, SaysLittleMoreThanWhatIsSentTakes) {
   EXPECT_LE(outline->message_bytes, parsed.SpaceUsedLong() * 3 / 2);
 }
 
-/// Asks for room in a budget that has no more than `most`.
+/// Reserves memory in a budget of `most` bytes.
 class ParseWithinTest : public ::testing::Test {
  protected:
   static constexpr std::size_t kFree_bytes = 1000;
@@ -147,14 +147,14 @@ class ParseWithinTest : public ::testing::Test {
   std::vector<std::size_t> asked_;
 };
 
-TEST_F(ParseWithinTest, WhatIsSmallIsCountedByItsBytes) {
+TEST_F(ParseWithinTest, SmallMessagesAreCountedByTheirBytes) {
   EXPECT_TRUE(ParsePoints(TinyPoints(50), kFree_bytes).ok());
   EXPECT_EQ(asked_, (std::vector<std::size_t>{100, 100}));
   EXPECT_EQ(message_.points_m_size(), 50);
   EXPECT_FALSE(ParsePoints(TinyPoints(500), kFree_bytes).ok()) << "as a message it is not";
 }
 
-TEST_F(ParseWithinTest, WhatIsLargeIsCountedWithItsBytesUntilItIsAMessage) {
+TEST_F(ParseWithinTest, LargeMessagesAreCountedWithTheirBytesWhileParsed) {
   EXPECT_TRUE(ParsePoints(TinyPoints(5000), 1 << 20).ok());
   ASSERT_EQ(asked_.size(), 2u);
   EXPECT_EQ(asked_[0], asked_[1] + 10'000);
@@ -162,7 +162,7 @@ TEST_F(ParseWithinTest, WhatIsLargeIsCountedWithItsBytesUntilItIsAMessage) {
   EXPECT_EQ(bytes_.Length(), 0u);
 }
 
-TEST_F(ParseWithinTest, WithoutRoomThereIsNoMessageAndTheBytesAreGone) {
+TEST_F(ParseWithinTest, WithoutMemoryNothingIsParsedAndTheBytesAreFreed) {
   const Status refused = ParsePoints(TinyPoints(5000), 100'000);
   EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
   EXPECT_EQ(refused.reason(), Reason("TOO_MANY_BYTES"));
@@ -170,20 +170,20 @@ TEST_F(ParseWithinTest, WithoutRoomThereIsNoMessageAndTheBytesAreGone) {
   EXPECT_EQ(bytes_.Length(), 0u);
 }
 
-TEST_F(ParseWithinTest, WhatNeverFitsIsNotToBeTriedAgain) {
+TEST_F(ParseWithinTest, MessagesThatNeverFitAreNotRetryable) {
   const Status refused = ParsePoints(TinyPoints(50'000), 1 << 30);
   EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
   EXPECT_EQ(refused.reason(), Reason("BODY_TOO_LARGE"));
   EXPECT_TRUE(asked_.empty());
 }
 
-TEST_F(ParseWithinTest, WhatFailsAtItsEndLeavesNothingOfWhatWasBefore) {
+TEST_F(ParseWithinTest, AMessageThatFailsAtItsEndIsLeftEmpty) {
   const std::string no_utf8("\x0a\x01\xff", 3);
   EXPECT_FALSE(ParsePoints(TinyPoints(5000) + no_utf8, 1 << 20).ok());
   EXPECT_LT(message_.SpaceUsedLong(), kFree_bytes);
 }
 
-TEST_F(ParseWithinTest, WhatIsNoMessageSaysOfWhichType) {
+TEST_F(ParseWithinTest, AMalformedMessageNamesItsType) {
   for (const std::string& text : {std::string("\xff\xff", 2), std::string("\x0a\x01\xff", 3)}) {  // no UTF-8
     const Status refused = ParsePoints(text, 1 << 20);
     EXPECT_EQ(refused.code(), StatusCode::kInvalidArgument);

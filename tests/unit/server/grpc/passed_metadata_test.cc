@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(AsOwnerEndedTest, AnEndThatNoHandlerExplainedIsToBeTriedAgain) {
+TEST(AsOwnerEndedTest, AnUnexplainedEndIsRetryable) {
   for (const grpc::StatusCode code : {grpc::UNAVAILABLE, grpc::CANCELLED, grpc::UNAUTHENTICATED}) {
     const grpc::Status status = AsOwnerEnded(grpc::Status(code, ""));
     EXPECT_EQ(status.error_code(), grpc::UNAVAILABLE) << code;
@@ -19,7 +19,7 @@ TEST(AsOwnerEndedTest, AnEndThatNoHandlerExplainedIsToBeTriedAgain) {
   }
 }
 
-TEST(AsOwnerEndedTest, WhatTheOwnerSaidIsPassedAsItIs) {
+TEST(AsOwnerEndedTest, TheOwnersStatusIsPassedUnchanged) {
   for (const Status& said : {NotFound("there is no map 'house'").WithReason("MAP_NOT_FOUND"), Cancelled("stopped")}) {
     const grpc::Status status = AsOwnerEnded(ToGrpc(said));
     EXPECT_EQ(status.error_code(), ToGrpc(said).error_code());

@@ -9,7 +9,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(PeerSlots, GiveEachOfTheFirstPeersOneOfItsOwn) {
+TEST(PeerSlots, GiveEachOfTheFirstPeersItsOwnSlot) {
   PeerSlots slots;
   std::set<std::size_t> given;
   for (std::size_t i = 1; i < PeerSlots::kNum; ++i) {
@@ -27,7 +27,7 @@ TEST(PeerSlots, GiveEachOfTheFirstPeersOneOfItsOwn) {
   EXPECT_EQ(slots.KeyOf(shared), "slot " + std::to_string(shared)) << "is no address's any more";
 }
 
-TEST(PeerSlots, ForgetWhomTheyCannotRemember) {
+TEST(PeerSlots, DropPeersBeyondTheirLimit) {
   PeerSlots slots;
   for (std::size_t i = 0; i < 3 * PeerSlots::kMostPeers; ++i) {
     const std::size_t slot = slots.Of("peer " + std::to_string(i));

@@ -39,7 +39,7 @@ class DescribedFiles {
   [[nodiscard]] std::string first() const { return files_.empty() ? "" : files_.front().name(); }
   [[nodiscard]] std::size_t size() const { return files_.size(); }
 
-  /// Whether each file is, with all that it imports, what is linked in here, and comes once.
+  /// Checks that each file and its imports equal the linked-in ones and arrive once.
   void ExpectWhole() const {
     google::protobuf::DescriptorPool pool;
     std::vector<const google::protobuf::FileDescriptorProto*> left;
@@ -66,7 +66,7 @@ class DescribedFiles {
 
 const std::string kQueryFile = "dhpmap/v1/query_service.proto";
 
-TEST(ReflectionAnswers, ListTheServicesThatAreServed) {
+TEST(ReflectionAnswers, ListTheServedServices) {
   ServerReflectionRequest request;
   request.set_host("here");
   request.set_list_services("*");
@@ -95,7 +95,7 @@ TEST(ReflectionAnswers, DescribeAFileWithAllThatItImports) {
   }
 }
 
-TEST(ReflectionAnswers, TellOfExtensions) {
+TEST(ReflectionAnswers, DescribeExtensions) {
   constexpr int kHttp = 72295728;  // google.api.http
   (void)v1::QueryPointsRequest::descriptor();
   ServerReflectionRequest all;
@@ -111,7 +111,7 @@ TEST(ReflectionAnswers, TellOfExtensions) {
   files.ExpectWhole();
 }
 
-TEST(ReflectionAnswers, AreErrorsWhereThereIsNothing) {
+TEST(ReflectionAnswers, AreErrorsForUnknownNames) {
   std::vector<ServerReflectionRequest> unknown(6);
   unknown[0].set_file_by_filename("nowhere.proto");
   unknown[1].set_file_containing_symbol("dhpmap.v1.NoService");

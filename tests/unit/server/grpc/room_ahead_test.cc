@@ -14,7 +14,7 @@ namespace {
 
 std::shared_ptr<ByteBudget> BudgetOf(std::size_t bytes) { return std::make_shared<ByteBudget>(bytes); }
 
-TEST(RoomAhead, IsTakenBeforeTheMessageAndChangesWithIt) {
+TEST(RoomAhead, IsReservedBeforeTheMessageAndResizedWithIt) {
   const auto budget = BudgetOf(100);
   RoomAhead room(budget);
   ASSERT_TRUE(room.Take(60));
@@ -27,7 +27,7 @@ TEST(RoomAhead, IsTakenBeforeTheMessageAndChangesWithIt) {
   EXPECT_EQ(budget->used_bytes(), 0u);
 }
 
-TEST(RoomAhead, WhoIsRefusedHoldsNothing) {
+TEST(RoomAhead, ARefusedReservationHoldsNothing) {
   const auto budget = BudgetOf(100);
   RoomAhead first(budget), second(budget);
   ASSERT_TRUE(first.Take(60));
@@ -39,7 +39,7 @@ TEST(RoomAhead, WhoIsRefusedHoldsNothing) {
   EXPECT_EQ(budget->used_bytes(), 60u);
 }
 
-TEST(RoomAhead, OfAMessageLargerThanTheBudgetIsAllThereIs) {
+TEST(RoomAhead, ForAMessageLargerThanTheBudgetTakesAllOfIt) {
   const auto budget = BudgetOf(100);
   RoomAhead room(budget);
   ASSERT_TRUE(room.Take(1000));
@@ -48,7 +48,7 @@ TEST(RoomAhead, OfAMessageLargerThanTheBudgetIsAllThereIs) {
   EXPECT_EQ(budget->used_bytes(), 0u);
 }
 
-TEST(RoomAhead, IsGivenBackIfNoMessageHasComeOnly) {
+TEST(RoomAhead, IsReturnedOnlyIfNoMessageHasArrived) {
   const auto budget = BudgetOf(100);
   RoomAhead room(budget);
   ASSERT_TRUE(room.Take(60));
@@ -60,7 +60,7 @@ TEST(RoomAhead, IsGivenBackIfNoMessageHasComeOnly) {
   EXPECT_EQ(budget->used_bytes(), 70u);
 }
 
-TEST(RoomAhead, EndsWithItsStreamAndTheBudgetNotBefore) {
+TEST(RoomAhead, EndsWithItsStreamBeforeTheBudget) {
   auto budget = BudgetOf(100);
   const std::weak_ptr<ByteBudget> watched = budget;
   {
@@ -72,7 +72,7 @@ TEST(RoomAhead, EndsWithItsStreamAndTheBudgetNotBefore) {
   EXPECT_TRUE(watched.expired());
 }
 
-TEST(RoomAhead, OfManyStreamsIsNeverMoreThanTheBudgetAndComesBack) {
+TEST(RoomAhead, OfManyStreamsNeverExceedsTheBudgetAndIsReturned) {
   constexpr int kStreams = 8, kMessages = 2000;
   const auto budget = BudgetOf(100);
   std::vector<std::jthread> streams;

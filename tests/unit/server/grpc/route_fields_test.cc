@@ -34,7 +34,7 @@ struct Method {
   const Descriptor* request;
 };
 
-/// Those whose requests name a map.
+/// Methods whose requests name a map.
 std::vector<Method> Methods(const auth::CallTable& table) {
   std::vector<Method> methods;
   for (const auto& [path, needs] : table.calls()) {
@@ -61,7 +61,7 @@ std::unique_ptr<Message> RequestOf(const Method& method, const auth::FieldPath& 
   return request;
 }
 
-TEST(RouteFields, SayWhatTheParsedMessageSays) {
+TEST(RouteFields, AgreeWithTheParsedMessage) {
   const auto table = auth::CallTable::OfLinkedServices();
   ASSERT_TRUE(table.ok());
   int num_eventual = 0;
@@ -87,7 +87,7 @@ TEST(RouteFields, SayWhatTheParsedMessageSays) {
   EXPECT_GT(num_eventual, 0);
 }
 
-TEST(RouteFields, TakeTheLastOfWhatIsSaidTwice) {
+TEST(RouteFields, UseTheLastOfRepeatedFields) {
   const auto table = auth::CallTable::OfLinkedServices();
   const std::string path = "/dhpmap.v1.QueryService/StreamQueries";
   const RouteFields fields(*table->Find(path), *v1::StreamQueriesRequest::descriptor());
@@ -100,7 +100,7 @@ TEST(RouteFields, TakeTheLastOfWhatIsSaidTwice) {
   EXPECT_FALSE(found.is_eventual);
 }
 
-TEST(RouteFields, FindNothingInWhatIsNoMessage) {
+TEST(RouteFields, FindNothingInMalformedBytes) {
   const auto table = auth::CallTable::OfLinkedServices();
   const std::string path = "/dhpmap.v1.QueryService/QueryPoints";
   const RouteFields fields(*table->Find(path), *v1::QueryPointsRequest::descriptor());

@@ -13,7 +13,7 @@ using Intake = StreamTurns::Intake;
 using Outlet = StreamTurns::Outlet;
 using Todo = StreamTurns::Todo;
 
-/// Reads one message and accepts it as a frame; whether the next may be read.
+/// Reads one message and accepts it as a frame. Returns whether the next may be read.
 bool ReadAndAccept(StreamTurns& turns) {
   Todo todo;
   EXPECT_TRUE(turns.OnRead(true, todo));
@@ -21,7 +21,7 @@ bool ReadAndAccept(StreamTurns& turns) {
   return turns.OnHandled().read;
 }
 
-TEST(StreamTurns, ReadsUntilTooManyAreInFlightAndGoesOnWhenOneIsWritten) {
+TEST(StreamTurns, PausesAtTheLimitInFlightAndResumesAfterAWrite) {
   StreamTurns turns(2);
   EXPECT_TRUE(turns.OnStart().read);
   EXPECT_TRUE(ReadAndAccept(turns));
@@ -50,7 +50,7 @@ TEST(StreamTurns, EndsOnceAllIsAcknowledgedAfterTheLastMessage) {
   EXPECT_FALSE(turns.OnStop().end) << "said once";
 }
 
-TEST(StreamTurns, WhenStoppedTheMessageBeingHandledIsLeftAndTheReadUnderWayIgnored) {
+TEST(StreamTurns, AStopDropsTheHandledMessageAndIgnoresTheRunningRead) {
   StreamTurns handling(4);
   (void)handling.OnStart();
   Todo todo;
@@ -67,7 +67,7 @@ TEST(StreamTurns, WhenStoppedTheMessageBeingHandledIsLeftAndTheReadUnderWayIgnor
   EXPECT_FALSE(todo.read || todo.write || todo.end);
 }
 
-TEST(StreamTurns, AClientThatIsGoneIsWrittenToNoMore) {
+TEST(StreamTurns, NothingIsWrittenToADisconnectedClient) {
   StreamTurns turns(4);
   (void)turns.OnStart();
   for (int i = 0; i < 3; ++i) ReadAndAccept(turns);
@@ -81,7 +81,7 @@ TEST(StreamTurns, AClientThatIsGoneIsWrittenToNoMore) {
   EXPECT_TRUE(todo.end);
 }
 
-TEST(StreamTurns, KnowsTheLastFrameOnceTheClientHasNoMore) {
+TEST(StreamTurns, KnowsTheLastFrameAfterAHalfClose) {
   StreamTurns turns(4);
   (void)turns.OnStart();
   ReadAndAccept(turns);
@@ -98,7 +98,7 @@ TEST(StreamTurns, KnowsTheLastFrameOnceTheClientHasNoMore) {
   EXPECT_TRUE(turns.is_over());
 }
 
-TEST(StreamTurns, AFrameThatIsSettledWithoutAcknowledgementMakesRoomAndEnds) {
+TEST(StreamTurns, AFrameSettledWithoutAcknowledgementFreesItsPlaceAndEnds) {
   StreamTurns turns(1);
   (void)turns.OnStart();
   EXPECT_FALSE(ReadAndAccept(turns));
@@ -111,12 +111,12 @@ TEST(StreamTurns, AFrameThatIsSettledWithoutAcknowledgementMakesRoomAndEnds) {
   EXPECT_TRUE(turns.OnHandled().end);
 }
 
-/// Plays gRPC, the writer and the client at random, and keeps count of what the stream may do by itself.
+/// Simulates gRPC, the writer and the client at random, and checks each action of the stream.
 class RandomPlay {
  public:
   RandomPlay(int max_in_flight, unsigned seed) : turns_(max_in_flight), max_in_flight_(max_in_flight), random_(seed) {}
 
-  /// Plays to the end; the number of frames that were acknowledged or dropped.
+  /// Runs to the end; returns the number of frames that were acknowledged or dropped.
   int Run() {
     Take(turns_.OnStart());
     for (int step = 0; !ended_; ++step) {

@@ -19,7 +19,7 @@ TEST(StreamWindow, OfManyStreamsFitsBesideTheBudget) {
 
 TEST(StreamWindow, IsAPartOfAFileByDefault) { EXPECT_EQ(StreamWindow_bytes(192 * kMebibyte), 256 << 10); }
 
-TEST(StreamWindow, IsNeverLessThanWhatTheProtocolBeginsWithNorMoreThanAMebibyte) {
+TEST(StreamWindow, IsBetweenTheProtocolsDefaultAndAMebibyte) {
   EXPECT_EQ(StreamWindow_bytes(0), 65'535);
   EXPECT_EQ(StreamWindow_bytes(12 * kMebibyte), 65'535);
   EXPECT_EQ(StreamWindow_bytes(SIZE_MAX), static_cast<int>(kMebibyte));

@@ -12,7 +12,7 @@
 namespace dhpmap {
 namespace {
 
-/// A map of one submap, which is written to as a whole, and a budget for half as many bytes as it has.
+/// A map of one submap that is completely rewritten, and a budget for half of its bytes.
 class WhileThereIsRoomTest : public ::testing::Test {
  protected:
   static constexpr int kNumBlocks = 64;
@@ -51,12 +51,12 @@ class WhileThereIsRoomTest : public ::testing::Test {
   std::stop_source stop_;
 };
 
-TEST_F(WhileThereIsRoomTest, AnswersAreTheirs) {
+TEST_F(WhileThereIsRoomTest, AnswersOfTheWorkAreReturned) {
   EXPECT_TRUE(Answer([](const std::stop_token&) { return Status::Ok(); }).ok());
   EXPECT_EQ(Answer([](const std::stop_token&) { return NotFound("it"); }).code(), StatusCode::kNotFound);
 }
 
-TEST_F(WhileThereIsRoomTest, OneWhoseMapIsWrittenAnewMeanwhileIsTold) {
+TEST_F(WhileThereIsRoomTest, WorkOnARewrittenMapIsStopped) {
   const Status status = Answer([this](const std::stop_token& ended) {
     WriteAll();
     EXPECT_TRUE(testing::Eventually([&] { return ended.stop_requested(); }));
@@ -67,7 +67,7 @@ TEST_F(WhileThereIsRoomTest, OneWhoseMapIsWrittenAnewMeanwhileIsTold) {
   EXPECT_TRUE(testing::Eventually([this] { return budget_.used_bytes() == 0; })) << "it is let go of";
 }
 
-TEST_F(WhileThereIsRoomTest, OneThatEndsWellAllTheSameIsAnswered) {
+TEST_F(WhileThereIsRoomTest, WorkThatSucceedsNeverthelessIsAnswered) {
   EXPECT_TRUE(Answer([this](const std::stop_token& ended) {
                 WriteAll();
                 EXPECT_TRUE(testing::Eventually([&] { return ended.stop_requested(); }));
@@ -75,7 +75,7 @@ TEST_F(WhileThereIsRoomTest, OneThatEndsWellAllTheSameIsAnswered) {
               }).ok());
 }
 
-TEST_F(WhileThereIsRoomTest, WhoseClientIsGoneIsCancelled) {
+TEST_F(WhileThereIsRoomTest, WorkOfADisconnectedClientIsCancelled) {
   const Status status = Answer([this](const std::stop_token& ended) {
     stop_.request_stop();
     EXPECT_TRUE(ended.stop_requested());
@@ -84,8 +84,8 @@ TEST_F(WhileThereIsRoomTest, WhoseClientIsGoneIsCancelled) {
   EXPECT_EQ(status.code(), StatusCode::kCancelled);
 }
 
-TEST_F(WhileThereIsRoomTest, NoneBeginsWhileOldStatesTakeMuch) {
-  const auto old = held_.TryPin(Present(), {});  // cannot be let go of
+TEST_F(WhileThereIsRoomTest, NoWorkBeginsWhileOldStatesTakeTooMuch) {
+  const auto old = held_.TryPin(Present(), {});  // cannot be released
   WriteAll();
   held_.Look();
   bool has_begun = false;

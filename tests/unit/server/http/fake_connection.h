@@ -13,7 +13,7 @@
 
 namespace dhpmap::http {
 
-/// A connection that writes down what it is told; a test plays the network.
+/// A connection that records its calls; the test plays the network.
 class FakeConnection final : public Connection {
  public:
   void Start(std::shared_ptr<ConnectionEvents> listener) override {
@@ -36,7 +36,7 @@ class FakeConnection final : public Connection {
   std::string local_address() const override { return "127.0.0.1"; }
   void Post(std::function<void()> task) override { task(); }
 
-  /// A head has come.
+  /// Delivers a head.
   void Hear(HeadResult head) { Events()->OnHead(std::move(head)); }
   void HearBody(std::string_view data, bool is_end, ReadOutcome outcome = ReadOutcome::kOk) {
     Events()->OnBodyData(outcome, data, is_end);
@@ -54,7 +54,7 @@ class FakeConnection final : public Connection {
   bool is_closed = false;
 };
 
-/// An exchange that keeps what it hears.
+/// An exchange that records its input.
 class FakeExchange final : public Exchange {
  public:
   bool OnBody(std::string_view data) override {

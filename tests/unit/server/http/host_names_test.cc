@@ -58,7 +58,7 @@ TEST_F(HostNamesTest, ThereIsExactlyOneHost) {
   EXPECT_EQ(ReasonOf(HeadFor({}), /*is_http_1_1=*/false), "") << "HTTP/1.0 has none";
 }
 
-TEST_F(HostNamesTest, ATargetThatNamesAHostIsHeldToItAsWell) {
+TEST_F(HostNamesTest, ATargetWithAHostIsCheckedToo) {
   EXPECT_EQ(ReasonOf(HeadFor({{"Host", "localhost"}}, "http://localhost:8080/x")), "");
   EXPECT_EQ(ReasonOf(HeadFor({{"Host", "localhost"}}, "http://evil.example/x")), "HOST_NOT_ALLOWED");
   EXPECT_EQ(ReasonOf(HeadFor({{"Host", "evil.example"}}, "http://localhost/x")), "HOST_NOT_ALLOWED");
@@ -72,7 +72,7 @@ TEST_F(HostNamesTest, PagesOfThisServerAndOfAllowedNamesAreNotForeign) {
   EXPECT_FALSE(IsForeign("localhost:8080", "https://maps.example.com")) << "through a proxy";
 }
 
-TEST_F(HostNamesTest, OtherPagesAre) {
+TEST_F(HostNamesTest, PagesOfOtherNamesAreForeign) {
   EXPECT_TRUE(IsForeign("localhost:8080", "http://evil.example"));
   EXPECT_TRUE(IsForeign("evil.example", "http://evil.example")) << "whatever the request says of itself";
   EXPECT_TRUE(IsForeign("localhost:8080", "http://localhost:3000")) << "another server on this machine";

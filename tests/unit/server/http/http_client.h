@@ -34,10 +34,10 @@ class HttpClient {
   bool SendRaw(std::string_view bytes);
   /// `is_head`: the answer has no body, whatever its head says.
   HttpAnswer ReadAnswer(bool is_head = false);
-  /// More of the stream as it comes, at least one byte; "" at its end.
+  /// The next bytes of the stream, at least one; "" at its end.
   std::string ReadSome();
   void CloseSending();
-  /// The server has closed the connection, within the time a read may take.
+  /// Whether the server closes the connection within the timeout of a read.
   bool IsClosedByServer();
 
  private:

@@ -9,7 +9,7 @@
 namespace dhpmap::http {
 namespace {
 
-TEST(FindHeader, TakesTheFirstWhateverItsCase) {
+TEST(FindHeader, FindsTheFirstIgnoringCase) {
   const Headers headers = {{"Accept", "a"}, {"ACCEPT", "b"}, {"X", ""}};
   EXPECT_EQ(FindHeader(headers, "accept"), "a");
   EXPECT_EQ(FindHeader(headers, "x"), "");
@@ -23,7 +23,7 @@ TEST(EqualsIgnoringCase, FoldsAsciiLettersOnly) {
   EXPECT_FALSE(EqualsIgnoringCase("\xC4", "\xE4"));
 }
 
-TEST(ReasonPhrase, IsKnownForEveryStatusThatWeSend) {
+TEST(ReasonPhrase, IsKnownForEverySentStatus) {
   for (const int status : {200, 204, 400, 401, 403, 404, 405, 409, 413, 415, 421, 429, 431, 499, 500, 501, 503, 504}) {
     EXPECT_NE(ReasonPhrase(status), "Unknown") << status;
   }

@@ -61,7 +61,7 @@ const std::string kChunked =
 const std::string kSized = "PUT /a HTTP/1.0\r\nContent-Length: 6\r\nConnection: keep-alive\r\n\r\nhello!";
 constexpr std::array<std::size_t, 5> kPieces = {1, 2, 3, 7, 1000};
 
-TEST(RequestParser, TheSameRequestComesOutOfAnyPieces) {
+TEST(RequestParser, ParsesTheSameRequestFromAnyPieces) {
   for (const std::size_t piece : kPieces) {
     for (const std::size_t out : {1u, 2u, 1000u}) {
       const Parsed chunked = ParsedIn(kChunked + "GET / HTTP/1.1\r\n", piece, out);
@@ -84,7 +84,7 @@ TEST(RequestParser, TheSameRequestComesOutOfAnyPieces) {
   }
 }
 
-TEST(RequestParser, AChunkedBodyMayBeEmptyAndComeInAnyPieces) {
+TEST(RequestParser, AChunkedBodyMayBeEmptyAndSplitAnywhere) {
   const std::string head = "PUT /a HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n";
   for (const char* body : {"0\r\n\r\n", "0\r\nT: t\r\n\r\n", "00\r\n\r\n", "0;a=b\r\n\r\n"}) {
     for (std::size_t piece = 1; piece <= head.size() + 9; ++piece) {
@@ -97,7 +97,7 @@ TEST(RequestParser, AChunkedBodyMayBeEmptyAndComeInAnyPieces) {
   }
 }
 
-TEST(RequestParser, WhatIsCutOffIsNeverAnError) {
+TEST(RequestParser, ATruncatedRequestIsNotAnError) {
   for (const std::string& whole : {kChunked, kSized}) {
     for (std::size_t length = 0; length < whole.size(); ++length) {
       const Parsed parsed = ParsedIn(whole.substr(0, length), 5);
@@ -108,7 +108,7 @@ TEST(RequestParser, WhatIsCutOffIsNeverAnError) {
   }
 }
 
-TEST(RequestParser, AHeadMayBeSoLargeAndNoLarger) {
+TEST(RequestParser, TheSizeOfAHeadIsLimited) {
   for (const std::size_t piece : {1000u, 1u << 20}) {
     const auto head = [](std::size_t size) { return "GET / HTTP/1.1\r\nX: " + std::string(size, 'x') + "\r\n\r\n"; };
     EXPECT_EQ(ParsedIn(head(30'000), piece).head.outcome, ReadOutcome::kOk);
@@ -117,12 +117,12 @@ TEST(RequestParser, AHeadMayBeSoLargeAndNoLarger) {
   }
 }
 
-TEST(RequestParser, WhatStandsBetweenPartsOfABodyIsNotKeptWithoutEnd) {
+TEST(RequestParser, DataBetweenPartsOfABodyIsLimited) {
   const std::string endless = "POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n1;" + std::string(100'000, 'x');
   EXPECT_NE(ParsedIn(endless, 1000).body_outcome, ReadOutcome::kOk);
 }
 
-TEST(RequestParser, RefusesWhatCannotBeUnderstood) {
+TEST(RequestParser, RefusesMalformedRequests) {
   const std::pair<const char*, ReadOutcome> cases[] = {
       {"GARBAGE\r\n\r\n", ReadOutcome::kMalformed},
       {"GET / HTTP/9.9\r\n\r\n", ReadOutcome::kMalformed},

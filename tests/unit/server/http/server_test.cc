@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::string_literals;
 
-/// Answers with the body it got; at "/late" only once the client has closed its side, at "/never" never.
+/// Echoes the body; at "/late" only after the client has half-closed, at "/never" never.
 class EchoHandler final : public Handler {
  public:
   class Echo final : public Exchange {
@@ -154,7 +154,7 @@ TEST_F(ServerTest, AClientThatHasClosedItsSideGetsItsAnswer) {
   EXPECT_TRUE(client.IsClosedByServer());
 }
 
-TEST_F(ServerTest, AHalfClosedClientIsAskedWhetherItIsStillThere) {
+TEST_F(ServerTest, AHalfClosedClientIsProbed) {
   Start();
   HttpClient client(server->port());
   client.SendRaw("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
@@ -163,7 +163,7 @@ TEST_F(ServerTest, AHalfClosedClientIsAskedWhetherItIsStillThere) {
   EXPECT_EQ(handler.num_closed, 0);
 }
 
-TEST_F(ServerTest, AClientThatHasGoneEndsItsExchange) {
+TEST_F(ServerTest, ADisconnectedClientEndsItsExchange) {
   Start();
   {
     HttpClient client(server->port());
@@ -173,7 +173,7 @@ TEST_F(ServerTest, AClientThatHasGoneEndsItsExchange) {
   EXPECT_TRUE(testing::Eventually([&] { return handler.num_closed == 1; }));
 }
 
-TEST_F(ServerTest, AHeadThatDoesNotEndIsNotWaitedFor) {
+TEST_F(ServerTest, AnIncompleteHeadTimesOut) {
   Start({.idle_timeout = std::chrono::seconds(60), .head_timeout = std::chrono::milliseconds(200)});
   HttpClient slow(server->port());
   slow.SendRaw("GET /a HTTP/1.1\r\nHo");
@@ -192,7 +192,7 @@ TEST_F(ServerTest, AnIdleConnectionIsClosed) {
   EXPECT_TRUE(idle->IsClosedByServer());
 }
 
-/// How many of the established connections of a local port the kernel asks from time to time whether they are there.
+/// Number of the port's established connections with TCP keepalive.
 int NumKeptAlive(int local_port) {
   int count = 0;
   std::ifstream table("/proc/net/tcp");
@@ -205,7 +205,7 @@ int NumKeptAlive(int local_port) {
   return count;
 }
 
-TEST_F(ServerTest, APeerThatIsSilentIsAskedWhetherItIsThere) {
+TEST_F(ServerTest, ASilentPeerIsProbed) {
   Start();
   HttpClient waits(server->port());
   waits.SendRaw("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
@@ -213,7 +213,7 @@ TEST_F(ServerTest, APeerThatIsSilentIsAskedWhetherItIsThere) {
   EXPECT_TRUE(testing::Eventually([&] { return NumKeptAlive(server->port()) == 1; }));
 }
 
-TEST_F(ServerTest, BeyondTheCapTheIdlestConnectionGivesWay) {
+TEST_F(ServerTest, BeyondTheLimitTheIdlestConnectionIsClosed) {
   Start({.max_connections = 3});
   std::vector<std::unique_ptr<HttpClient>> clients;
   for (int i = 0; i < 3; ++i) {
@@ -226,7 +226,7 @@ TEST_F(ServerTest, BeyondTheCapTheIdlestConnectionGivesWay) {
   EXPECT_EQ(clients[2]->Ask("GET", "/a").status, 200);
 }
 
-TEST_F(ServerTest, BeyondTheCapOfBusyConnectionsTheAnswerIs503) {
+TEST_F(ServerTest, BeyondTheLimitOfBusyConnectionsTheAnswerIs503) {
   Start({.max_connections = 2});
   HttpClient first(server->port()), second(server->port());
   first.SendRaw("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
@@ -237,7 +237,7 @@ TEST_F(ServerTest, BeyondTheCapOfBusyConnectionsTheAnswerIs503) {
   EXPECT_TRUE(third.IsClosedByServer());
 }
 
-/// Lowers the limit of file descriptors while it lives.
+/// Lowers the limit of file descriptors during its lifetime.
 class DescriptorLimit {
  public:
   explicit DescriptorLimit(rlim_t limit) {
@@ -252,7 +252,7 @@ class DescriptorLimit {
   rlimit before_{};
 };
 
-TEST_F(ServerTest, GoesOnAnsweringWhenThereAreNoFileDescriptors) {
+TEST_F(ServerTest, ContinuesAnsweringWithoutFileDescriptors) {
   Start();
   std::vector<std::unique_ptr<HttpClient>> idle;
   const DescriptorLimit limit(64);
@@ -262,7 +262,7 @@ TEST_F(ServerTest, GoesOnAnsweringWhenThereAreNoFileDescriptors) {
     idle.push_back(std::move(client));
   }
   ASSERT_GT(idle.size(), 5u);
-  // Nothing is left now; a client needs one descriptor, the server another.
+  // No descriptor is left now; a client needs one, and the server another.
   for (int i = 0; i < 5; ++i) {
     idle.pop_back();
     HttpClient client(server->port());

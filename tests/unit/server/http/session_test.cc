@@ -29,7 +29,7 @@ class SessionTest : public ::testing::Test {
     session = std::make_shared<Session>(connection, handler, names, [this](Session*) { ++num_closed; });
     session->Start();
   }
-  ~SessionTest() override { connection->Close(); }  // lets go of the session, which holds it
+  ~SessionTest() override { connection->Close(); }  // releases the session, which holds it
   /// The status of the last answer.
   int LastStatus() const {
     const std::string& head = connection->writes.back();
@@ -46,7 +46,7 @@ class SessionTest : public ::testing::Test {
   int num_closed = 0;
 };
 
-TEST_F(SessionTest, OneRequestComesAfterTheOther) {
+TEST_F(SessionTest, RequestsAreHandledOneByOne) {
   for (int i = 1; i <= 3; ++i) {
     EXPECT_EQ(connection->num_head_reads, i);
     connection->Hear(Head("GET", "/now"));
@@ -57,7 +57,7 @@ TEST_F(SessionTest, OneRequestComesAfterTheOther) {
   EXPECT_FALSE(connection->is_closed);
 }
 
-TEST_F(SessionTest, ABodyIsReadAsTheExchangeWantsIt) {
+TEST_F(SessionTest, ABodyIsReadAtTheExchangesPace) {
   connection->Hear(Post(6));
   EXPECT_EQ(connection->num_body_reads, 1);
   exchange().wants_more = false;
@@ -93,7 +93,7 @@ TEST_F(SessionTest, ContinueIsWrittenBeforeTheBodyIsRead) {
   EXPECT_EQ(connection->num_body_reads, 1);
 }
 
-TEST_F(SessionTest, NobodyIsInvitedToSendWhatIsRefused) {
+TEST_F(SessionTest, ARefusedBodyIsNotInvited) {
   HeadResult head = Post(3);
   head.head.target = "/now";
   head.head.headers.emplace_back("Expect", "100-continue");
@@ -102,7 +102,7 @@ TEST_F(SessionTest, NobodyIsInvitedToSendWhatIsRefused) {
   EXPECT_TRUE(LastSays("Connection: close")) << "the client may send it or not";
 }
 
-TEST_F(SessionTest, ASmallUnwantedBodyIsReadAwayAndTheConnectionLives) {
+TEST_F(SessionTest, ASmallUnwantedBodyIsDrainedAndTheConnectionStays) {
   HeadResult head = Post(10);
   head.head.target = "/now";
   connection->Hear(head);
@@ -115,7 +115,7 @@ TEST_F(SessionTest, ASmallUnwantedBodyIsReadAwayAndTheConnectionLives) {
   EXPECT_FALSE(connection->has_closed_sending);
 }
 
-TEST_F(SessionTest, ALargeUnwantedBodyEndsTheConnectionOnceItHasCome) {
+TEST_F(SessionTest, ALargeUnwantedBodyEndsTheConnection) {
   HeadResult head = Post(10u << 20);
   head.head.target = "/now";
   connection->Hear(head);
@@ -128,7 +128,7 @@ TEST_F(SessionTest, ALargeUnwantedBodyEndsTheConnectionOnceItHasCome) {
   EXPECT_EQ(num_closed, 1);
 }
 
-TEST_F(SessionTest, AnAnswerInTheMiddleOfABodyDropsTheRest) {
+TEST_F(SessionTest, AnAnswerDuringABodyDropsTheRest) {
   connection->Hear(Post(1000));
   connection->HearBody("abc", false);
   ASSERT_EQ(connection->num_body_reads, 2);
@@ -167,7 +167,7 @@ TEST_F(SessionTest, AStreamOfKnownLengthHasNoChunks) {
   EXPECT_EQ(connection->num_head_reads, 2);
 }
 
-TEST_F(SessionTest, AStreamThatIsCutOffClosesTheConnection) {
+TEST_F(SessionTest, ATruncatedStreamClosesTheConnection) {
   connection->Hear(Head("GET", "/x"));
   responder().BeginStream({}, std::nullopt);
   responder().Chunk("hello");
@@ -176,7 +176,7 @@ TEST_F(SessionTest, AStreamThatIsCutOffClosesTheConnection) {
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST_F(SessionTest, Http10GetsAStreamUpToTheEndOfTheConnection) {
+TEST_F(SessionTest, AnHttp10StreamLastsUntilTheConnectionEnds) {
   HeadResult head = Head("GET", "/x");
   head.is_http_1_1 = head.keep_alive = false;
   connection->Hear(head);
@@ -194,7 +194,7 @@ TEST_F(SessionTest, HeadHasNoBody) {
   EXPECT_TRUE(connection->writes.back().ends_with("\r\n\r\n"));
 }
 
-TEST_F(SessionTest, WhatIsNoHttpIsAnsweredAndEndsTheConnection) {
+TEST_F(SessionTest, AnInvalidRequestIsAnsweredAndEndsTheConnection) {
   HeadResult head;
   head.outcome = ReadOutcome::kMalformed;
   head.problem = "no colon";
@@ -206,7 +206,7 @@ TEST_F(SessionTest, WhatIsNoHttpIsAnsweredAndEndsTheConnection) {
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST_F(SessionTest, AHeadThatIsTooLargeIsAnswered) {
+TEST_F(SessionTest, ATooLargeHeadIsAnswered) {
   HeadResult head;
   head.outcome = ReadOutcome::kTooLarge;
   connection->Hear(head);
@@ -222,7 +222,7 @@ TEST_F(SessionTest, ABrokenBodyIsAnsweredUnlessAnAnswerHasBegun) {
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST_F(SessionTest, ABodyThatBreaksUnderAnAnswerClosesTheConnection) {
+TEST_F(SessionTest, ABrokenBodyDuringAnAnswerClosesTheConnection) {
   connection->Hear(Post(6));
   responder().BeginStream({}, std::nullopt);
   responder().Chunk("x");
@@ -231,7 +231,7 @@ TEST_F(SessionTest, ABodyThatBreaksUnderAnAnswerClosesTheConnection) {
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST_F(SessionTest, AClientThatGoesAwayEndsTheExchange) {
+TEST_F(SessionTest, ADisconnectedClientEndsTheExchange) {
   connection->Hear(Head("GET", "/x"));
   const auto left = handler.exchange;
   connection->Events()->OnPeerClosed();
@@ -254,7 +254,7 @@ TEST_F(SessionTest, AClientThatOnlyStopsSendingGetsItsAnswer) {
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST_F(SessionTest, AnOldClientIsNotProbedWithWhatItDoesNotKnow) {
+TEST_F(SessionTest, AnOldClientIsNotProbed) {
   HeadResult head = Head("GET", "/x");
   head.is_http_1_1 = false;
   connection->Hear(head);
@@ -271,7 +271,7 @@ TEST_F(SessionTest, AnUnknownTransferCodingIsNotImplementedAndEndsTheConnection)
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST_F(SessionTest, ARequestUnderAnotherNameNeverReachesTheHandler) {
+TEST_F(SessionTest, ARequestForAnotherHostNeverReachesTheHandler) {
   HeadResult head = Head("GET", "/now");
   head.head.headers = {{"Host", "evil.example"}};
   connection->Hear(head);
@@ -281,7 +281,7 @@ TEST_F(SessionTest, ARequestUnderAnotherNameNeverReachesTheHandler) {
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST_F(SessionTest, TheBodyOfWhatIsRefusedIsNeverTheNextRequest) {
+TEST_F(SessionTest, TheBodyOfARefusedRequestIsNeverParsedAsARequest) {
   HeadResult head = Post(10);
   head.head.headers = {{"Host", "evil.example"}};
   connection->Hear(head);
@@ -304,7 +304,7 @@ TEST_F(SessionTest, KnowsHowLongItHasBeenIdle) {
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST(SurplusSession, AnswersThatThereAreTooMany) {
+TEST(SurplusSession, RefusesSurplusConnections) {
   FakeHandler handler;
   const HostNames names{"127.0.0.1", {}};
   const auto connection = std::make_shared<FakeConnection>();
@@ -331,7 +331,7 @@ TEST_F(SessionTest, DrainingClosesAnIdleConnectionAtOnce) {
   EXPECT_TRUE(connection->is_closed);
 }
 
-TEST_F(SessionTest, DrainingLetsTheRequestUnderWayEnd) {
+TEST_F(SessionTest, DrainingWaitsForTheRunningRequest) {
   connection->Hear(Head("GET", "/x"));
   session->Drain();
   EXPECT_FALSE(connection->is_closed);

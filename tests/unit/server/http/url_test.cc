@@ -21,13 +21,13 @@ TEST(SplitTarget, TakesTheAbsoluteFormAndDropsFragments) {
   EXPECT_EQ(SplitTarget("/a#b")->path, "/a");
 }
 
-TEST(SplitTarget, RefusesWhatIsNoPath) {
+TEST(SplitTarget, RefusesInvalidPaths) {
   EXPECT_FALSE(SplitTarget("*"));
   EXPECT_FALSE(SplitTarget(""));
   EXPECT_FALSE(SplitTarget("host:80"));
 }
 
-TEST(PercentDecode, DecodesAllButSlashesWhereAsked) {
+TEST(PercentDecode, DecodesAllExceptSlashesIfRequested) {
   EXPECT_EQ(PercentDecode("a%20b%2fc", false, false), "a b/c");
   EXPECT_EQ(PercentDecode("a%20b%2fc", false, true), "a b%2fc");
   EXPECT_EQ(PercentDecode("a+b", true, false), "a b");

@@ -6,7 +6,7 @@
 namespace dhpmap::json {
 namespace {
 
-TEST(Builder, SetsTheCommas) {
+TEST(Builder, InsertsCommas) {
   Builder out;
   out.BeginObject().Member("a", "1").Key("b").BeginArray().String("x").Raw("2").BeginObject().EndObject().EndArray();
   out.RawMember("c", "null").EndObject();

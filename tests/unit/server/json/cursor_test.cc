@@ -8,7 +8,7 @@
 namespace dhpmap::json {
 namespace {
 
-/// What is wrong with a text that should be one value; "" if nothing is.
+/// The error of a text that should be one value; "" if it is valid.
 std::string ProblemOf(const std::string& text) {
   Cursor cursor(text);
   if (cursor.SkipValue()) cursor.ExpectEnd();
@@ -22,14 +22,14 @@ std::string StringOf(const std::string& text) {
   return cursor.ReadString(&value, &scratch) ? std::string(value) : "failed: " + cursor.status().message();
 }
 
-TEST(Cursor, TakesEveryKindOfValue) {
+TEST(Cursor, ReadsEveryKindOfValue) {
   for (const char* text :
        {"{}", "[]", " [1, -2.5e+3, \"a\", true, false, null, {\"b\": [0]}] ", "\"\"", "0", "-0.1E-2"}) {
     EXPECT_EQ(ProblemOf(text), "") << text;
   }
 }
 
-TEST(Cursor, RefusesWhatRfc8259DoesNotAllow) {
+TEST(Cursor, RefusesTextOutsideRfc8259) {
   for (const char* text :
        {"",    "{",   "[1,]", "{\"a\":1,}", "{a:1}",     "01",       "1.",  ".5",    "+1",    "1e",
         "tru", "nul", "NaN",  "\"\\x\"",    "\"\\u12\"", "\"a\nb\"", "'a'", "[1 2]", "{} {}", "// c\n1"}) {
@@ -54,7 +54,7 @@ TEST(Cursor, AStringWithoutEscapesIsAViewOfTheText) {
   EXPECT_EQ(value.data(), text.data() + 1);
 }
 
-TEST(Cursor, SaysWhereItFailed) {
+TEST(Cursor, ReportsWhereItFailed) {
   EXPECT_EQ(ProblemOf("{\n \"a\": x}"), "expected a number but found 'x', at line 2, column 7 (byte 8)");
 }
 
@@ -65,7 +65,7 @@ TEST(Cursor, KeepsTheFirstError) {
   EXPECT_EQ(cursor.status().message().substr(0, 5), "first");
 }
 
-TEST(Cursor, DeepNestingIsAnErrorAndNoCrash) {
+TEST(Cursor, DeepNestingIsAnErrorNotACrash) {
   const auto nested = [](int depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_EQ(ProblemOf(nested(kMaxDepth)), "");
   EXPECT_NE(ProblemOf(nested(kMaxDepth + 1)).find("nested too deeply"), std::string::npos);

@@ -27,7 +27,7 @@ TEST(FieldText, FindsAFieldByEitherOfItsNames) {
     EXPECT_EQ(FindField(type, name), nullptr);
 }
 
-TEST(FieldText, APathIsTheSameInEitherSpelling) {
+TEST(FieldText, APathHasTwoEqualSpellings) {
   FieldPath proto, camel;
   ASSERT_TRUE(ResolveFieldPath(*Everything::descriptor(), "child.choice_child.real_double", &proto).ok());
   ASSERT_TRUE(ResolveFieldPath(*Everything::descriptor(), "child.choiceChild.realDouble", &camel).ok());
@@ -48,7 +48,7 @@ TEST(FieldText, NamesTheFirstPartOfAPathThatDoesNotExist) {
   }
 }
 
-TEST(FieldText, LooksAtNothingBehindTheEndOfANumber) {
+TEST(FieldText, ReadsNothingBehindTheEndOfANumber) {
   // In memory that ends with the text: AddressSanitizer sees who looks farther.
   for (const std::string text : {"", "-", "1e", "+1", "nonsense", "1.5x", "1e400", "-1e400", "--1", ".", "1e-", "e5"}) {
     const std::vector<char> exact(text.begin(), text.end());
@@ -58,7 +58,7 @@ TEST(FieldText, LooksAtNothingBehindTheEndOfANumber) {
   }
 }
 
-TEST(FieldText, WhatIsTooSmallIsZeroAndWhatIsTooLargeIsRefused) {
+TEST(FieldText, UnderflowIsZeroAndOverflowIsRefused) {
   Everything message;
   for (const char* name : {"real", "real_double"}) {
     message.set_real(1), message.set_real_double(1);
@@ -80,7 +80,7 @@ struct GoodField {
   const char* expected;  ///< text format
 };
 
-TEST(FieldText, SetsWhatCanBeWrittenAsOneText) {
+TEST(FieldText, SetsEveryFieldWithATextForm) {
   const GoodField cases[] = {
       {"i32", "-7", "i32: -7"},
       {"u64", "18446744073709551615", "u64: 18446744073709551615"},
@@ -108,7 +108,7 @@ TEST(FieldText, SetsWhatCanBeWrittenAsOneText) {
   }
 }
 
-TEST(FieldText, SaysWhichFieldAndWhatItWants) {
+TEST(FieldText, ErrorsNameTheFieldAndItsType) {
   const std::pair<const char*, const char*> cases[] = {
       {"i32", "2147483648"}, {"i32", "1.5"},  {"i32", " 1"},    {"i32", ""},       {"u32", "-1"}, {"real", "1e39"},
       {"real", "0x1"},       {"flag", "1"},   {"flag", "TRUE"}, {"shade", "PINK"}, {"raw", "@@"}, {"text", "\xFF"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a text takes as a message is asked for before it is one.
+// The memory of a message is reserved before its text is parsed.
 #include "server/json/message_bytes.h"
 
 #include <gtest/gtest.h>
@@ -18,14 +18,14 @@ using test::Everything;
 
 constexpr int kTimes = 5000;
 
-/// `item` so many times, with commas between.
+/// `item` repeated, separated by commas.
 std::string ManyOf(const std::string& item, int times = kTimes) {
   std::string all;
   for (int i = 0; i < times; ++i) all += (i > 0 ? "," : "") + item;
   return all;
 }
 
-/// The most that was asked for.
+/// The largest reservation.
 std::size_t AskedFor(const std::string& text, Everything& message) {
   std::size_t most_bytes = 0;
   const Status status = Read(text, &message, nullptr, [&](std::size_t num_bytes) {
@@ -37,7 +37,7 @@ std::size_t AskedFor(const std::string& text, Everything& message) {
   return most_bytes;
 }
 
-TEST(MessageBytes, AreNoLessThanTheMessageTakes) {
+TEST(MessageBytes, AreAtLeastTheMemoryOfTheMessage) {
   for (const std::string& text :
        {std::string("{}"), "{\"many_child\":[" + ManyOf("{}") + "]}",
         "{\"many_child\":[" + ManyOf(R"({"child":{"text":"a","many_i64":[1,2]}})") + "]}",
@@ -52,7 +52,7 @@ TEST(MessageBytes, AreNoLessThanTheMessageTakes) {
   }
 }
 
-TEST(MessageBytes, OfAMapAreThoseOfTwo) {
+TEST(MessageBytes, OfAMapFieldAreThoseOfTwoFields) {
   std::string children;
   for (int i = 0; i < kTimes; ++i) children += (i > 0 ? ",\"" : "\"") + std::to_string(i) + R"(":{})";
   Everything message;
@@ -61,13 +61,13 @@ TEST(MessageBytes, OfAMapAreThoseOfTwo) {
   EXPECT_GE(asked_bytes, 2 * kTimes * Everything().SpaceUsedLong());
 }
 
-TEST(MessageBytes, AreLittleMoreThanAMessageTakes) {
+TEST(MessageBytes, AreLittleAboveTheMemoryOfAMessage) {
   Everything message;
   const std::size_t asked_bytes = AskedFor("{\"many_child\":[" + ManyOf(R"({"i32":1})") + "]}", message);
   EXPECT_LE(asked_bytes, message.SpaceUsedLong() * 3 / 2);
 }
 
-TEST(MessageBytes, WithoutRoomForThemNoMoreIsRead) {
+TEST(MessageBytes, WithoutMemoryReadingStops) {
   constexpr std::size_t kMost_bytes = 200'000;
   for (const std::string& item : {std::string("{}"), std::string(R"({"child":{}})")}) {
     Everything message;
@@ -80,7 +80,7 @@ TEST(MessageBytes, WithoutRoomForThemNoMoreIsRead) {
   }
 }
 
-TEST(MessageBytes, OfAStringWithEscapesAreThoseOfItsCopyToo) {
+TEST(MessageBytes, OfAStringWithEscapesIncludeItsCopy) {
   Everything message;
   const std::string letters(100'000, 'x');
   const std::size_t plain_bytes = AskedFor("{\"text\":\"" + letters + "\"}", message);
@@ -89,7 +89,7 @@ TEST(MessageBytes, OfAStringWithEscapesAreThoseOfItsCopyToo) {
   EXPECT_GE(escaped_bytes, plain_bytes + letters.size());
 }
 
-TEST(MessageBytes, OfANameThatNobodyKnowsAreNotInTheAnswer) {
+TEST(MessageBytes, OfAnUnknownNameAreNotInTheError) {
   Everything message;
   const Status refused =
       Read("{\"" + std::string(127, 'x') + "\xC3\xA4" + std::string(1 << 20, 'x') + "\":1}", &message);

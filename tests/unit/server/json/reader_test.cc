@@ -17,7 +17,7 @@ namespace {
 using google::protobuf::util::MessageDifferencer;
 using test::Everything;
 
-TEST(JsonReader, ReadsWhatProtobufsOwnWriterWrites) {
+TEST(JsonReader, ReadsTheOutputOfProtobufsWriter) {
   const Everything message = FullMessage();
   for (const bool keep_names : {false, true}) {  // lowerCamel names as well
     google::protobuf::util::JsonPrintOptions options;
@@ -36,7 +36,7 @@ struct GoodMessage {
   const char* expected;  ///< text format
 };
 
-TEST(JsonReader, TakesEveryAllowedSpelling) {
+TEST(JsonReader, AcceptsEveryAllowedSpelling) {
   const GoodMessage cases[] = {
       {R"({})", ""},
       {" \n\t{ } \r\n", ""},
@@ -69,7 +69,7 @@ struct Bad {
   const char* part;  ///< of the message
 };
 
-TEST(JsonReader, SaysWhatIsWrongAndWhere) {
+TEST(JsonReader, ReportsTheErrorAndItsPosition) {
   const Bad cases[] = {
       {"", "found the end of the text, at line 1, column 1 (byte 0)"},
       {"{", "found the end of the text"},
@@ -147,7 +147,7 @@ TEST(JsonReader, RefusesDeepNestingInsteadOfOverflowingTheStack) {
   EXPECT_FALSE(Read("{\"structure\":{\"a\":" + std::string(100'000, '['), &message).ok());
 }
 
-TEST(JsonReader, CollectsThePathsThatABodySets) {
+TEST(JsonReader, CollectsThePathsOfSetFields) {
   const std::pair<const char*, Paths> cases[] = {
       {R"({})", {}},
       {R"({"text":"a","i32":0})", {"text", "i32"}},
@@ -164,7 +164,7 @@ TEST(JsonReader, CollectsThePathsThatABodySets) {
   }
 }
 
-TEST(JsonReader, MergesIntoWhatIsThere) {
+TEST(JsonReader, MergesIntoAnExistingMessage) {
   Everything message;
   message.set_i32(1);
   message.mutable_child()->set_i32(2);
@@ -190,8 +190,8 @@ TEST(JsonReader, ReadsTheValueOfOneField) {
   EXPECT_FALSE(ReadField("5", field("text"), &message).ok());
 }
 
-/// Whatever the bytes: an error or a message, and what was read can be written and read again.
-TEST(JsonReader, MutatedTextNeverDoesHarm) {
+/// Any bytes give an error or a message that can be written and read again.
+TEST(JsonReader, MutatedTextIsHarmless) {
   const std::string seed = Written(FullMessage());
   std::mt19937 random(20240501);
   const std::string alphabet = "{}[]\",:\\0123456789eE+-.tfn ual\xFF\x80\x01";

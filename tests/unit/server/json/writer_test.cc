@@ -14,7 +14,7 @@ namespace {
 using google::protobuf::util::MessageDifferencer;
 using test::Everything;
 
-TEST(JsonWriter, WhatIsWrittenIsReadBackTheSame) {
+TEST(JsonWriter, WrittenMessagesAreReadBackUnchanged) {
   const Everything message = FullMessage();
   Everything back;
   const Status status = Read(Written(message), &back);
@@ -22,14 +22,14 @@ TEST(JsonWriter, WhatIsWrittenIsReadBackTheSame) {
   EXPECT_TRUE(MessageDifferencer::Equals(message, back)) << back.DebugString();
 }
 
-TEST(JsonWriter, ProtobufsOwnReaderReadsWhatIsWritten) {
+TEST(JsonWriter, ProtobufsReaderReadsTheOutput) {
   const Everything message = FullMessage();
   Everything theirs;
   ASSERT_TRUE(google::protobuf::util::JsonStringToMessage(Written(message), &theirs).ok());
   EXPECT_TRUE(MessageDifferencer::Equals(message, theirs)) << theirs.DebugString();
 }
 
-TEST(JsonWriter, WritesZerosAndEmptyListsButNotWhatIsAbsent) {
+TEST(JsonWriter, WritesZerosAndEmptyListsButNoAbsentFields) {
   const std::string text = Written({});
   EXPECT_NE(text.find(R"("i32":0,"i64":"0")"), std::string::npos) << text;
   EXPECT_NE(text.find(R"("shade":"SHADE_UNSPECIFIED")"), std::string::npos);
@@ -55,7 +55,7 @@ TEST(JsonWriter, WritesOneField) {
   EXPECT_EQ(written({}, "many_child"), "[]");
 }
 
-TEST(JsonWriter, NumbersComeBackWithAllTheirBits) {
+TEST(JsonWriter, NumbersAreReadBackBitExactly) {
   for (const double number : {0.1, 1e-300, -0.0, 5e-324, 1.7976931348623157e308, 1.0 / 3}) {
     Everything message, back;
     message.set_real_double(number);
@@ -65,7 +65,7 @@ TEST(JsonWriter, NumbersComeBackWithAllTheirBits) {
   }
 }
 
-TEST(JsonWriter, IsOneLineAndEscapesWhatMustBe) {
+TEST(JsonWriter, IsOneLineWithTheNecessaryEscapes) {
   EXPECT_EQ(Written(FullMessage()).find_first_of("\n\r"), std::string::npos);
   std::string text;
   AppendString(std::string("\"\\\n\0\x1F/\x7F", 7), &text);

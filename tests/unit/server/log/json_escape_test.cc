@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(Log, AJsonLineStaysOneLineWhateverTheMessage) {
+TEST(Log, AJsonLineStaysOneLineForAnyMessage) {
   EXPECT_EQ(EscapeForJson("a \"b\" \\ c\nd\te\x01"), "a \\\"b\\\" \\\\ c\\nd\\u0009e\\u0001");
   InitLog({.json_lines = true});
   ::testing::internal::CaptureStderr();

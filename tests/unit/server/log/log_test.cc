@@ -16,7 +16,7 @@
 namespace dhpmap {
 namespace {
 
-/// What `work` writes to standard error, by lines.
+/// The lines that `work` writes to standard error.
 std::vector<std::string> Logged(const LogOptions& options, const std::function<void()>& work) {
   InitLog(options);
   ::testing::internal::CaptureStderr();
@@ -49,7 +49,7 @@ TEST(Log, KnowsItsLevelsByName) {
   }
 }
 
-TEST(Log, SaysWhatIsOfItsLevelOrAbove) {
+TEST(Log, LogsMessagesOfItsLevelOrAbove) {
   const std::pair<LogLevel, std::size_t> cases[] = {
       {LogLevel::kDebug, 4}, {LogLevel::kInfo, 3}, {LogLevel::kWarning, 2}, {LogLevel::kError, 1}, {LogLevel::kOff, 0}};
   for (const auto& [level, num_lines] : cases) {
@@ -57,7 +57,7 @@ TEST(Log, SaysWhatIsOfItsLevelOrAbove) {
   }
 }
 
-TEST(Log, ALineHasItsTimeInUtcItsLevelAndTheMessageAsItIs) {
+TEST(Log, ALineContainsUtcTimeLevelAndTheUnchangedMessage) {
   const auto lines = Logged({}, [] { LogWarning("100 % of {} and {0:x} \\n"); });
   ASSERT_EQ(lines.size(), 1u);
   const std::regex line(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z warning 100 % of \{\} and \{0:x\} \\n)");
@@ -83,7 +83,7 @@ TEST(Log, LinesForTheJournalBeginWithTheirPriorityAndHaveNoTime) {
   EXPECT_TRUE(json[0].starts_with("<6>{\"time\":")) << json[0];
 }
 
-TEST(Log, TheJournalIsKnownByTheStreamThatStandardErrorIs) {
+TEST(Log, TheJournalIsDetectedByStandardError) {
   struct stat stream {};
   ASSERT_EQ(::fstat(STDERR_FILENO, &stream), 0);
   const std::string device = std::to_string(stream.st_dev), inode = std::to_string(stream.st_ino);
@@ -93,7 +93,7 @@ TEST(Log, TheJournalIsKnownByTheStreamThatStandardErrorIs) {
   }
 }
 
-TEST(Log, ALevelHoldsFromTheNextLineOn) {
+TEST(Log, ALevelAppliesFromTheNextLine) {
   const auto lines = Logged({}, [] {
     LogDebug("not shown");
     SetLogLevel(LogLevel::kDebug);
@@ -105,7 +105,7 @@ TEST(Log, ALevelHoldsFromTheNextLineOn) {
   EXPECT_TRUE(lines[0].ends_with(" debug shown")) << lines[0];
 }
 
-TEST(Log, LinesOfSeveralThreadsAreWhole) {
+TEST(Log, LinesOfSeveralThreadsDoNotMix) {
   const std::string tail(200, 'x');
   const auto lines = Logged({}, [&] {
     std::vector<std::thread> threads;

@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(Metrics, TextHoldsWhatWasRecorded) {
+TEST(Metrics, TextContainsTheRecordedValues) {
   Metrics metrics;
   metrics.RecordCall("MapService/GetMap", StatusCode::kNotFound, 0.002);
   metrics.RecordCall("MapService/GetMap", StatusCode::kNotFound, 0.2);
@@ -77,7 +77,7 @@ TEST(Metrics, OnlyAServerOfAFleetHasMetricsOfTheFleet) {
   }
 }
 
-TEST(Metrics, TellsWhatIsCountedEachByteUnderOneKind) {
+TEST(Metrics, CountsEachByteUnderOneKind) {
   const Metrics metrics;
   Metrics::Gauges gauges{.maps = {{.name = "room", .memory_bytes = 100, .block_bytes = 40},
                                   {.name = "hall", .memory_bytes = 20, .block_bytes = 10}},
@@ -115,7 +115,7 @@ TEST(Metrics, TellsWhatIsCountedEachByteUnderOneKind) {
   }
 }
 
-TEST(Metrics, MoreRoomReservedThanIsTakenIsNoHugeNumber) {
+TEST(Metrics, AReservationAboveTheUseDoesNotUnderflow) {
   const CountedBytes reserved(MemoryKind::kReserved, 50);
   const std::string text =
       Metrics().Text({.maps = {{.name = "room", .memory_bytes = 10, .block_bytes = 40}}, .inflight_bytes = 20});
@@ -129,10 +129,10 @@ double Gauge(const std::string& text, const std::string& name) {
   return at == std::string::npos ? -1 : std::stod(text.substr(at + name.size() + 2));
 }
 
-TEST(Metrics, TellsWhatTheProcessTakes) {
+TEST(Metrics, ReportsTheMemoryOfTheProcess) {
   const Metrics metrics;
   const double before = Gauge(metrics.Text({}), "dhpmap_anonymous_memory_bytes");
-  // From the kernel, not the allocator: a sanitizer would keep a shadow of what it hands out.
+  // From the kernel, not the allocator: a sanitizer would add shadow memory.
   constexpr std::size_t kHeld_bytes = 64u << 20;
   void* const held =
       mmap(nullptr, kHeld_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);

@@ -20,7 +20,7 @@ TEST(Address, HasAHostAndAPort) {
   EXPECT_EQ(everywhere->host, "");
 }
 
-TEST(Address, WithoutAPortThatFitsIsNone) {
+TEST(Address, WithoutAValidPortIsInvalid) {
   for (const char* text :
        {"", "localhost", "localhost:", "localhost:http", "localhost:65536", "localhost:-1", "a:1 "}) {
     const auto address = SplitAddress(text);

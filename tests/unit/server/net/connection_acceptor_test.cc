@@ -65,7 +65,7 @@ class Client {
   Client& operator=(const Client&) = delete;
   [[nodiscard]] int socket() const { return socket_; }
   [[nodiscard]] bool is_connected() const { return is_connected_; }
-  /// Within the time that tests have patience for.
+  /// Whether the server closes the connection within the test's timeout.
   [[nodiscard]] bool IsSentAway() const {
     pollfd end{.fd = socket_, .events = POLLIN, .revents = 0};
     char byte = 0;
@@ -92,10 +92,10 @@ std::unique_ptr<ConnectionAcceptor> ListenOnLoopback(int max_connections = 100) 
   return acceptor.ok() ? std::move(*acceptor) : nullptr;
 }
 
-TEST(ConnectionAcceptor, HandsOverSocketsThatDoNotBlockAndThatChildrenDoNotInherit) {
+TEST(ConnectionAcceptor, HandsOverNonblockingCloseOnExecSockets) {
   Taken taken;
   const auto acceptor = ListenOnLoopback();
-  const Client early(acceptor->port());  // waits until somebody accepts
+  const Client early(acceptor->port());  // waits to be accepted
   acceptor->Start([&](int socket) { taken.Take(socket); });
   ASSERT_TRUE(taken.WaitFor(1));
   EXPECT_TRUE(::fcntl(taken.first(), F_GETFL) & O_NONBLOCK);
@@ -108,7 +108,7 @@ TEST(ConnectionAcceptor, HandsOverSocketsThatDoNotBlockAndThatChildrenDoNotInher
   EXPECT_EQ(byte, 'x');
 }
 
-TEST(ConnectionAcceptor, SendsAwayWhatIsBeyondItsBoundUntilOneIsClosed) {
+TEST(ConnectionAcceptor, RefusesConnectionsBeyondItsLimitUntilOneIsClosed) {
   Taken taken;
   const auto acceptor = ListenOnLoopback(2);
   acceptor->Start([&](int socket) { taken.Take(socket); });
@@ -122,7 +122,7 @@ TEST(ConnectionAcceptor, SendsAwayWhatIsBeyondItsBoundUntilOneIsClosed) {
   EXPECT_TRUE(taken.WaitFor(2));
 }
 
-TEST(ConnectionAcceptor, CountsADescriptorThatNamesAnotherSocketByNowAsClosed) {
+TEST(ConnectionAcceptor, CountsAReusedDescriptorAsClosed) {
   Taken taken;
   const auto acceptor = ListenOnLoopback(1);
   acceptor->Start([&](int socket) { taken.Take(socket); });
@@ -136,7 +136,7 @@ TEST(ConnectionAcceptor, CountsADescriptorThatNamesAnotherSocketByNowAsClosed) {
   ::close(other);
 }
 
-TEST(ConnectionAcceptor, GoesOnAfterThereWereNoDescriptors) {
+TEST(ConnectionAcceptor, ContinuesAfterAShortageOfDescriptors) {
   Taken taken;
   const auto acceptor = ListenOnLoopback();
   acceptor->Start([&](int socket) { taken.Take(socket); });
@@ -152,14 +152,14 @@ TEST(ConnectionAcceptor, GoesOnAfterThereWereNoDescriptors) {
   const std::size_t num_taken = taken.size();
   EXPECT_LT(num_taken, clients.size() / 2);
   ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
-  // The first may still be refused with the descriptor that was kept back.
+  // The first may still be refused by means of the reserved descriptor.
   EXPECT_TRUE(testing::Eventually([&] {
     const Client after(acceptor->port());
     return taken.size() > num_taken;
   }));
 }
 
-TEST(ConnectionAcceptor, LeavesSomeDescriptorsToOthers) {
+TEST(ConnectionAcceptor, LeavesSomeDescriptorsUnused) {
   Taken taken;
   const auto acceptor = ListenOnLoopback();
   acceptor->Start([&](int socket) { taken.Take(socket); });
@@ -178,7 +178,7 @@ TEST(ConnectionAcceptor, LeavesSomeDescriptorsToOthers) {
   ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
 }
 
-TEST(ConnectionAcceptor, StopsAtOnceAndLeavesWhatItHandedOver) {
+TEST(ConnectionAcceptor, StopsAtOnceAndKeepsHandedOverSockets) {
   Taken taken;
   const auto acceptor = ListenOnLoopback();
   acceptor->Start([&](int socket) { taken.Take(socket); });
@@ -192,7 +192,7 @@ TEST(ConnectionAcceptor, StopsAtOnceAndLeavesWhatItHandedOver) {
   acceptor->Stop();
 }
 
-TEST(ConnectionAcceptor, SaysWhyItCannotListen) {
+TEST(ConnectionAcceptor, ReportsWhyItCannotListen) {
   const auto first = ListenOnLoopback();
   const std::string same = "127.0.0.1:" + std::to_string(first->port());
   const auto second = ConnectionAcceptor::Listen({.address = same});

@@ -20,7 +20,7 @@
 
 namespace dhpmap::net {
 
-/// What plays the server behind a door: the inner ends of connections, as they come, each blocking.
+/// Plays the server behind a door: the inner ends of connections, in order, each blocking.
 class Behind {
  public:
   struct Inner {
@@ -56,7 +56,7 @@ class Behind {
         {.socket = Descriptor(passed.socket), .peer = passed.peer, .local_address = passed.local_address});
     changed_.notify_all();
   }
-  /// The next one.
+  /// The next connection.
   std::optional<Inner> Next() {
     std::unique_lock lock(mutex_);
     if (!changed_.wait_for(lock, testing::kPatience, [&] { return !arrived_.empty(); })) return std::nullopt;
@@ -75,7 +75,7 @@ class Behind {
   std::vector<Inner> arrived_;
 };
 
-/// A door on a free port, and what it has refused.
+/// A door on a free port, and its refusals.
 class DoorTest : public ::testing::Test {
  protected:
   void OpenDoor(DoorOptions options) {

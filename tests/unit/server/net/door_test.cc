@@ -28,13 +28,13 @@ using testing::FrameBytes;
 
 const std::string kPreface(kHttp2Preface);
 
-/// What it says begins with the preface of HTTP/2, as every connection's does.
+/// The bytes begin with the HTTP/2 preface, as on every connection.
 std::string SentBy(const Behind::Inner& inner, std::size_t num_bytes) {
   EXPECT_EQ(inner.Read(kPreface.size()), kPreface);
   return inner.Read(num_bytes);
 }
 
-TEST_F(DoorTest, PassesBytesBothWaysAndEndsWithTheServer) {
+TEST_F(DoorTest, RelaysBytesBothWaysAndEndsWithTheServer) {
   OpenDoor({});
   HttpClient client(door_->port());
   const std::string ping = FrameBytes(FrameType::kPing, 0, 0, "12345678");
@@ -49,7 +49,7 @@ TEST_F(DoorTest, PassesBytesBothWaysAndEndsWithTheServer) {
   EXPECT_TRUE(client.IsClosedByServer());
 }
 
-TEST_F(DoorTest, StandsBesideAnotherDoorOfTheProcess) {
+TEST_F(DoorTest, CoexistsWithAnotherDoorOfTheProcess) {
   OpenDoor({});
   HttpClient client(door_->port());
   ASSERT_TRUE(client.SendRaw(kPreface));
@@ -65,7 +65,7 @@ TEST_F(DoorTest, StandsBesideAnotherDoorOfTheProcess) {
   EXPECT_NE(inner_of_other->peer.address, inner->peer.address);
 }
 
-TEST_F(DoorTest, TellsTheServerOfTheClientsEnd) {
+TEST_F(DoorTest, PassesTheClientsEndToTheServer) {
   OpenDoor({});
   auto client = std::make_unique<HttpClient>(door_->port());
   ASSERT_TRUE(client->SendRaw(kPreface));
@@ -76,7 +76,7 @@ TEST_F(DoorTest, TellsTheServerOfTheClientsEnd) {
   EXPECT_TRUE(inner->IsAtEnd());
 }
 
-TEST_F(DoorTest, NamesTheClientBehindTheNameOfTheSocket) {
+TEST_F(DoorTest, MapsTheInnerSocketsNameToTheClient) {
   OpenDoor({});
   HttpClient client(door_->port());
   ASSERT_TRUE(client.SendRaw(kPreface));
@@ -104,7 +104,7 @@ TEST_F(DoorTest, NamesTheClientBehindTheNameOfTheSocket) {
   EXPECT_TRUE(testing::Eventually([&] { return !door_->Find(as_grpc_says); }));
 }
 
-TEST_F(DoorTest, MovesMegabytesThatNeitherSideTakesAtOnce) {
+TEST_F(DoorTest, MovesMegabytesThroughSmallBuffers) {
   OpenDoor({});
   HttpClient client(door_->port());
   const std::string frame = testing::FrameHeadBytes(16'384, FrameType::kData, 0, 1) + std::string(16'384, 'x');
@@ -120,7 +120,7 @@ TEST_F(DoorTest, MovesMegabytesThatNeitherSideTakesAtOnce) {
     for (int i = 0; i < kFrames; ++i) EXPECT_TRUE(inner->Say(frame));
   });
   std::size_t num_bytes = 0;
-  while (num_bytes < kFrames * frame.size()) {  // nobody reads at the other end yet: what is said there waits
+  while (num_bytes < kFrames * frame.size()) {  // the other end does not read yet: sent data waits
     const std::string part = client.ReadSome();
     if (part.empty()) break;
     num_bytes += part.size();
@@ -131,7 +131,7 @@ TEST_F(DoorTest, MovesMegabytesThatNeitherSideTakesAtOnce) {
   sender.join();
 }
 
-TEST_F(DoorTest, EndsAFloodWithAWordAndLeavesOthersAlone) {
+TEST_F(DoorTest, EndsAFloodWithAReasonAndLeavesOthersAlone) {
   OpenDoor({});
   HttpClient other(door_->port()), attacker(door_->port());
   ASSERT_TRUE(other.SendRaw(kPreface));
@@ -151,7 +151,7 @@ TEST_F(DoorTest, EndsAFloodWithAWordAndLeavesOthersAlone) {
   EXPECT_EQ(other.ReadSome(), settings);
 }
 
-TEST_F(DoorTest, SaysGoAwayWithTheReason) {
+TEST_F(DoorTest, SendsGoAwayWithTheReason) {
   OpenDoor({});
   HttpClient client(door_->port());
   ASSERT_TRUE(client.SendRaw(kPreface));
@@ -165,7 +165,7 @@ TEST_F(DoorTest, SaysGoAwayWithTheReason) {
   EXPECT_EQ(last.substr(17), "frame_too_large");
 }
 
-TEST_F(DoorTest, SendsAwayWhatIsNotHttp2) {
+TEST_F(DoorTest, RefusesClientsThatDoNotSpeakHttp2) {
   OpenDoor({});
   HttpClient client(door_->port());
   ASSERT_TRUE(client.SendRaw("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"));
@@ -173,7 +173,7 @@ TEST_F(DoorTest, SendsAwayWhatIsNotHttp2) {
   EXPECT_TRUE(IsRefused(Refusal::kNotHttp2));
 }
 
-TEST_F(DoorTest, LetsAClientInThoughSilentOnesHoldWhatTheyMay) {
+TEST_F(DoorTest, AdmitsAClientWhileSilentOnesUseUpTheirLimit) {
   OpenDoor({});
   std::vector<std::unique_ptr<HttpClient>> silent;
   for (int i = 0; i < 150; ++i) silent.push_back(std::make_unique<HttpClient>(door_->port()));
@@ -183,7 +183,7 @@ TEST_F(DoorTest, LetsAClientInThoughSilentOnesHoldWhatTheyMay) {
   EXPECT_TRUE(behind_.Next());
 }
 
-TEST_F(DoorTest, GivesOnePeerNotAllConnections) {
+TEST_F(DoorTest, LimitsTheConnectionsOfOnePeer) {
   OpenDoor({.max_connections = 100});
   std::vector<std::unique_ptr<HttpClient>> clients;
   std::vector<std::optional<Behind::Inner>> inners;
@@ -198,7 +198,7 @@ TEST_F(DoorTest, GivesOnePeerNotAllConnections) {
   EXPECT_TRUE(clients.back()->IsClosedByServer());
 }
 
-TEST_F(DoorTest, GivesOnePeerNotAllConnectionsOfTheRestDoorEither) {
+TEST_F(DoorTest, LimitsTheConnectionsOfOnePeerAtTheRestDoor) {
   OpenDoor({.max_connections = 100, .protocol = Protocol::kHttp11});
   std::vector<std::unique_ptr<HttpClient>> clients;
   std::vector<std::optional<Behind::Inner>> inners;
@@ -211,7 +211,7 @@ TEST_F(DoorTest, GivesOnePeerNotAllConnectionsOfTheRestDoorEither) {
   EXPECT_TRUE(IsRefused(Refusal::kTooManyConnections));
 }
 
-TEST_F(DoorTest, SendsTheServersLastWordsBeforeItGoes) {
+TEST_F(DoorTest, SendsTheServersLastBytesBeforeClosing) {
   OpenDoor({});
   HttpClient client(door_->port());
   ASSERT_TRUE(client.SendRaw(kPreface));
@@ -240,7 +240,7 @@ class UnixDoorTest : public DoorTest {
   testing::TempDir folder_;
 };
 
-TEST_F(UnixDoorTest, KnowsWhichUserHasConnected) {
+TEST_F(UnixDoorTest, KnowsTheConnectedUser) {
   OpenDoor({.address = "unix:" + path()});
   struct stat found {};
   ASSERT_EQ(::stat(path().c_str(), &found), 0);
@@ -257,7 +257,7 @@ TEST_F(UnixDoorTest, KnowsWhichUserHasConnected) {
   EXPECT_NE(::stat(path().c_str(), &found), 0);
 }
 
-TEST_F(UnixDoorTest, ReplacesASocketThatNobodyAnswersAndNothingElse) {
+TEST_F(UnixDoorTest, ReplacesOnlyAnUnusedSocket) {
   {
     const Descriptor dead(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     sockaddr_un address{};
@@ -266,7 +266,7 @@ TEST_F(UnixDoorTest, ReplacesASocketThatNobodyAnswersAndNothingElse) {
     ASSERT_EQ(::bind(dead.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   }
   OpenDoor({.address = "unix:" + path()});
-  EXPECT_FALSE(Door::Open({.address = "unix:" + path()}).ok());  // there is somebody
+  EXPECT_FALSE(Door::Open({.address = "unix:" + path()}).ok());  // the socket is in use
   const std::string file = path() + ".txt";
   { const Descriptor kept(::open(file.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600)); }
   EXPECT_FALSE(Door::Open({.address = "unix:" + file}).ok());

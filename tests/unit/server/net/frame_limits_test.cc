@@ -17,7 +17,7 @@ using std::chrono::seconds;
 using testing::FrameBytes;
 using testing::FrameHeadBytes;
 
-/// A connection at a time of the test's own.
+/// A connection with the test's own clock.
 class FrameLimitsTest : public ::testing::Test {
  protected:
   Refusal Client(const std::string& bytes) { return limits_.FromClient(bytes, now_); }
@@ -28,7 +28,7 @@ class FrameLimitsTest : public ::testing::Test {
   static std::string Reset(std::uint32_t stream, std::uint32_t code = 8) {
     return FrameBytes(FrameType::kReset, 0, stream, testing::BigEndianBytes(code, 4));
   }
-  /// How many times it may come at once; the refusal that ends it.
+  /// Number of accepted repetitions, and the refusal that ends them.
   template <typename Do>
   std::pair<int, Refusal> Until(Do&& act, int most = 5000) {
     for (int i = 0; i < most; ++i) {
@@ -45,11 +45,11 @@ class FrameLimitsTest : public ::testing::Test {
 using Ends = std::pair<int, Refusal>;
 constexpr int kResets = static_cast<int>(FrameLimits::kResets);
 
-TEST_F(FrameLimitsTest, RefusesThe129thOpenStreamThoughNothingWasAcknowledged) {
+TEST_F(FrameLimitsTest, RefusesThe129thOpenStreamEvenUnacknowledged) {
   EXPECT_EQ(Until([&](int i) { return Open(StreamOf(i)); }), Ends(128, Refusal::kTooManyStreams));
 }
 
-TEST_F(FrameLimitsTest, TakesStreamsWithoutEndAsTheServerEndsThem) {
+TEST_F(FrameLimitsTest, AcceptsAnyNumberOfStreamsThatTheServerEnds) {
   const auto ended = Until([&](int i) {
     const Refusal refusal = Open(StreamOf(i));
     EXPECT_EQ(Server(FrameBytes(FrameType::kHeaders, kEndHeaders | kEndStream, StreamOf(i), "\x88")), Refusal::kNone);
@@ -59,7 +59,7 @@ TEST_F(FrameLimitsTest, TakesStreamsWithoutEndAsTheServerEndsThem) {
   EXPECT_EQ(limits_.num_streams(), 0u);
 }
 
-TEST_F(FrameLimitsTest, LetsAClientGiveUpAllItsCallsAtOnceTwice) {
+TEST_F(FrameLimitsTest, LetsAClientCancelAllItsCallsTwice) {
   int next = 0;
   for (int round = 0; round < 2; ++round) {
     const int first = next;
@@ -68,7 +68,7 @@ TEST_F(FrameLimitsTest, LetsAClientGiveUpAllItsCallsAtOnceTwice) {
   }
 }
 
-TEST_F(FrameLimitsTest, TakesTheWindowsOfAsManyCallsAtOnceAsThereMayBe) {
+TEST_F(FrameLimitsTest, AcceptsTheWindowUpdatesOfTheMostConcurrentCalls) {
   for (std::size_t i = 0; i < FrameLimits::kMostStreams; ++i) {  // as gRPC's Python client begins its calls
     const std::uint32_t stream = StreamOf(static_cast<int>(i));
     ASSERT_EQ(Open(stream), Refusal::kNone);
@@ -82,7 +82,7 @@ TEST_F(FrameLimitsTest, TakesTheWindowsOfAsManyCallsAtOnceAsThereMayBe) {
   }
 }
 
-TEST_F(FrameLimitsTest, EndsRapidResetsAfterABurstAndTakes33ASecond) {
+TEST_F(FrameLimitsTest, EndsRapidResetsAfterABurstAndAccepts33PerSecond) {
   int next = 0;
   const auto open_and_reset = [&](int) {
     const std::uint32_t stream = StreamOf(next++);
@@ -91,7 +91,7 @@ TEST_F(FrameLimitsTest, EndsRapidResetsAfterABurstAndTakes33ASecond) {
   };
   EXPECT_EQ(Until(open_and_reset), Ends(kResets, Refusal::kTooManyResets));
   FrameLimits other(nullptr);
-  for (int i = 0; i < 3000; ++i) {  // a planner that gives up its calls, 30 a second
+  for (int i = 0; i < 3000; ++i) {  // a planner that cancels its calls, 30 per second
     now_ += milliseconds(33);
     const std::uint32_t stream = StreamOf(i);
     ASSERT_EQ(other.FromClient(FrameBytes(FrameType::kHeaders, kEndHeaders, stream, "\x82"), now_), Refusal::kNone);
@@ -99,7 +99,7 @@ TEST_F(FrameLimitsTest, EndsRapidResetsAfterABurstAndTakes33ASecond) {
   }
 }
 
-TEST_F(FrameLimitsTest, DoesNotCountResetsOfCallsThatTheServerHasBegunToAnswer) {
+TEST_F(FrameLimitsTest, DoesNotCountResetsOfCallsBeingAnswered) {
   const auto watch_and_reset = [&](int i) {
     const Refusal refusal = Open(StreamOf(i));
     EXPECT_EQ(Server(FrameBytes(FrameType::kHeaders, kEndHeaders, StreamOf(i), "\x88")), Refusal::kNone);
@@ -108,7 +108,7 @@ TEST_F(FrameLimitsTest, DoesNotCountResetsOfCallsThatTheServerHasBegunToAnswer) 
   EXPECT_EQ(Until(watch_and_reset), Ends(5000, Refusal::kNone));
 }
 
-TEST_F(FrameLimitsTest, CountsResetsThatTheClientMakesTheServerSend) {
+TEST_F(FrameLimitsTest, CountsResetsThatTheClientProvokes) {
   const auto made_to_reset = [&](int i) {
     const Refusal refusal = Open(StreamOf(i));
     return refusal != Refusal::kNone ? refusal : Server(Reset(StreamOf(i), 1));
@@ -125,7 +125,7 @@ TEST_F(FrameLimitsTest, DoesNotCountTheResetWithWhichGrpcEndsACallEarly) {
   EXPECT_EQ(Until(ended_early), Ends(5000, Refusal::kNone));
 }
 
-TEST_F(FrameLimitsTest, EndsContinuationsWithoutEnd) {
+TEST_F(FrameLimitsTest, EndsEndlessContinuations) {
   ASSERT_EQ(Client(FrameBytes(FrameType::kHeaders, 0, 1, "\x82")), Refusal::kNone);
   EXPECT_EQ(Until([&](int) { return Client(FrameBytes(FrameType::kContinuation, 0, 1, "\x82")); }),
             Ends(7, Refusal::kHeaderTooLarge));
@@ -137,7 +137,7 @@ TEST_F(FrameLimitsTest, EndsEmptyContinuationsToo) {
             Ends(7, Refusal::kHeaderTooLarge));
 }
 
-TEST_F(FrameLimitsTest, RefusesAHeaderBlockOfMoreThan16KiBBeforeItHasCome) {
+TEST_F(FrameLimitsTest, RefusesAHeaderBlockAbove16KiBBeforeItHasArrived) {
   ASSERT_EQ(Client(FrameHeadBytes(10'000, FrameType::kHeaders, 0, 1) + "\x44\x7f\x91\x4d" + std::string(9'996, 'p')),
             Refusal::kNone);
   EXPECT_EQ(Client(FrameHeadBytes(10'000, FrameType::kContinuation, 0, 1)), Refusal::kHeaderTooLarge);
@@ -164,7 +164,7 @@ TEST_F(FrameLimitsTest, EndsControlFramesAfter200) {
   }
 }
 
-TEST_F(FrameLimitsTest, TakesTheWindowUpdatesAndPingsOfWhoReadsALongAnswer) {
+TEST_F(FrameLimitsTest, AcceptsWindowUpdatesAndPingsOfAReaderOfALongAnswer) {
   const std::string data = FrameHeadBytes(16'384, FrameType::kData, 0, 1) + std::string(16'384, 'x');
   const std::string answers = FrameBytes(FrameType::kWindowUpdate, 0, 0, "1234") +
                               FrameBytes(FrameType::kWindowUpdate, 0, 1, "1234") +
@@ -177,14 +177,14 @@ TEST_F(FrameLimitsTest, TakesTheWindowUpdatesAndPingsOfWhoReadsALongAnswer) {
   EXPECT_EQ(Until(one), Ends(5000, Refusal::kNone));
 }
 
-TEST_F(FrameLimitsTest, TakesDataOfAnyLengthUpToAFrame) {
+TEST_F(FrameLimitsTest, AcceptsDataOfAnyLengthUpToAFrame) {
   ASSERT_EQ(Open(1), Refusal::kNone);
   const std::string data = FrameHeadBytes(16'384, FrameType::kData, 0, 1) + std::string(16'384, 'x');
   EXPECT_EQ(Until([&](int) { return Client(data); }), Ends(5000, Refusal::kNone));
   EXPECT_EQ(Client(FrameHeadBytes(16'385, FrameType::kData, 0, 1)), Refusal::kFrameTooLarge);
 }
 
-TEST_F(FrameLimitsTest, EndsWhoDoesNotAcknowledgeSettingsInTime) {
+TEST_F(FrameLimitsTest, EndsAClientThatDoesNotAcknowledgeSettingsInTime) {
   ASSERT_EQ(Server(FrameBytes(FrameType::kSettings, 0, 0)), Refusal::kNone);
   EXPECT_EQ(limits_.AtTime(now_ + seconds(10)), Refusal::kNone);
   EXPECT_EQ(limits_.AtTime(now_ + milliseconds(10'001)), Refusal::kSettingsUnacknowledged);
@@ -204,7 +204,7 @@ TEST_F(FrameLimitsTest, RefusesFramesThatWouldHideAHeaderBlock) {
   EXPECT_EQ(Client(FrameBytes(FrameType::kContinuation, kEndHeaders, 1, "\x82")), Refusal::kMalformed);
 }
 
-TEST_F(FrameLimitsTest, SaysTheSameWhateverThePieces) {
+TEST_F(FrameLimitsTest, DecidesTheSameForAnyPieces) {
   std::string bytes;
   for (int i = 0; i < 20; ++i) {
     bytes += FrameBytes(FrameType::kHeaders, kEndHeaders, StreamOf(i), testing::CallFields("/a/b"));
@@ -220,7 +220,7 @@ TEST_F(FrameLimitsTest, SaysTheSameWhateverThePieces) {
   }
 }
 
-TEST_F(FrameLimitsTest, LetsConnectionsOfOnePeerResetLittleMoreThanOneMay) {
+TEST_F(FrameLimitsTest, LimitsTheResetsOfAllConnectionsOfAPeer) {
   PeerTable peers(100);
   const auto reset_all = [&] {
     FrameLimits limits(peers.Join("192.0.2.7", now_));
@@ -235,7 +235,7 @@ TEST_F(FrameLimitsTest, LetsConnectionsOfOnePeerResetLittleMoreThanOneMay) {
   EXPECT_EQ(num_resets, 20 * static_cast<int>(FrameLimits::kOwnResets) + static_cast<int>(PeerCounts::kResets));
 }
 
-TEST(PeerTable, BoundsTheConnectionsOfOnePeerAndForgetsWhoIsAtRest) {
+TEST(PeerTable, LimitsTheConnectionsOfAPeerAndDropsIdlePeers) {
   PeerTable peers(2);
   auto now = PeerTable::Time() + seconds(1000);
   auto first = peers.Join("a", now);
@@ -249,7 +249,7 @@ TEST(PeerTable, BoundsTheConnectionsOfOnePeerAndForgetsWhoIsAtRest) {
   EXPECT_LT(peers.size(), 200u);
 }
 
-TEST(PeerTable, DoesNotForgetWhatAPeerHasDone) {
+TEST(PeerTable, RemembersTheResetsOfAPeer) {
   PeerTable peers(2);
   const auto now = PeerTable::Time() + seconds(1000);
   while (peers.Join("a", now)->TakeReset(now)) continue;

@@ -10,7 +10,7 @@
 namespace dhpmap::net {
 namespace {
 
-/// What is said of a block that comes in pieces of so many bytes; kNone only if it may end there.
+/// The decision on a block in pieces of so many bytes; kNone only if the block is complete.
 Refusal Check(const std::string& block, std::size_t piece_bytes) {
   HeaderCheck check;
   check.Begin();
@@ -21,14 +21,14 @@ Refusal Check(const std::string& block, std::size_t piece_bytes) {
   return check.is_between_fields() ? Refusal::kNone : Refusal::kBadHeader;
 }
 
-/// Likewise, whatever the pieces.
+/// The same for pieces of any size.
 Refusal CheckInPieces(const std::string& block) {
   const Refusal whole = Check(block, block.size() + 1);
   for (const std::size_t piece_bytes : {1, 2, 7}) EXPECT_EQ(Check(block, piece_bytes), whole) << piece_bytes;
   return whole;
 }
 
-TEST(HeaderCheck, TakesEveryRepresentationOfTheStandard) {
+TEST(HeaderCheck, AcceptsEveryRepresentationOfTheStandard) {
   const std::string long_value(300, 'v');
   EXPECT_EQ(CheckInPieces("\x82"), Refusal::kNone);                                 // indexed
   EXPECT_EQ(CheckInPieces("\x40\x03key\x05value"), Refusal::kNone);                 // kept, new name
@@ -42,7 +42,7 @@ TEST(HeaderCheck, TakesEveryRepresentationOfTheStandard) {
   EXPECT_EQ(CheckInPieces(testing::CallFields("/dhpmap.v1.MapService/GetMap")), Refusal::kNone);
 }
 
-TEST(HeaderCheck, RefusesAValueOfTwoGibibytesAtItsLength) {
+TEST(HeaderCheck, RefusesAValueOfTwoGibibytesByItsDeclaredLength) {
   EXPECT_EQ(CheckInPieces("\x44\x7f\xff\xff\xff\xff\x07"), Refusal::kBadHeader);
   EXPECT_EQ(CheckInPieces("\x44\x7f\x82\x7f"), Refusal::kBadHeader);                  // 16385
   EXPECT_EQ(CheckInPieces("\xff\xff\xff\xff\xff\x0f"), Refusal::kBadHeader);          // an index
@@ -50,7 +50,7 @@ TEST(HeaderCheck, RefusesAValueOfTwoGibibytesAtItsLength) {
   EXPECT_EQ(CheckInPieces("\x44\x7f\x80\x80\x80\x80\x80\x80"), Refusal::kBadHeader);  // zeros without end
 }
 
-TEST(HeaderCheck, RefusesMoreFieldsThanAnyCallHas) {
+TEST(HeaderCheck, RefusesTooManyFields) {
   EXPECT_EQ(CheckInPieces(std::string(256, '\x82')), Refusal::kNone);
   EXPECT_EQ(CheckInPieces(std::string(257, '\x82')), Refusal::kHeaderTooLarge);
 }

@@ -27,7 +27,7 @@ Pair MakePair() {
   return {.near = Descriptor(ends[0]), .far = Descriptor(ends[1])};
 }
 
-/// A connection that moves when the test says so.
+/// A connection that moves bytes on the test's request.
 class RelayedConnectionTest : public ::testing::Test {
  protected:
   RelayedConnectionTest() {
@@ -38,7 +38,7 @@ class RelayedConnectionTest : public ::testing::Test {
                                                    nullptr, poller_);
     EXPECT_TRUE(relayed_->Begin());
   }
-  /// Until nothing is ready; how often something was.
+  /// Moves bytes until nothing is ready; returns the number of moves.
   int MoveAll() {
     for (int rounds = 0;; ++rounds) {
       if (relayed_->is_over()) return rounds;
@@ -52,7 +52,7 @@ class RelayedConnectionTest : public ::testing::Test {
       }
     }
   }
-  /// As much as is taken, in all.
+  /// Writes as much as is accepted; returns the total.
   std::size_t Fill(const Descriptor& from) {
     const std::string part(10'000, 'x');
     std::size_t num_bytes = 0;
@@ -89,26 +89,26 @@ class RelayedConnectionTest : public ::testing::Test {
   std::unique_ptr<RelayedConnection> relayed_;
 };
 
-TEST_F(RelayedConnectionTest, DoesNotReadAClientWhoseBytesNobodyTakes) {
+TEST_F(RelayedConnectionTest, StopsReadingAClientWhoseServerDoesNotRead) {
   const std::size_t num_bytes = Fill(client_);
   EXPECT_LT(num_bytes, kMost_bytes);
   EXPECT_EQ(Drain(door_), num_bytes);
-  EXPECT_GT(Fill(client_), 0u);  // it goes on
+  EXPECT_GT(Fill(client_), 0u);  // relaying continues
 }
 
-TEST_F(RelayedConnectionTest, DoesNotReadAServerWhoseClientDoesNot) {
+TEST_F(RelayedConnectionTest, StopsReadingAServerWhoseClientDoesNotRead) {
   const std::size_t num_bytes = Fill(door_);
   EXPECT_LT(num_bytes, kMost_bytes);
   EXPECT_EQ(Drain(client_), num_bytes);
 }
 
-TEST_F(RelayedConnectionTest, IsNotReadyForEverWhileBothAreStuck) {
+TEST_F(RelayedConnectionTest, IsNotReadyWhileBothSidesAreBlocked) {
   Fill(client_);
   Fill(door_);
   EXPECT_EQ(MoveAll(), 0);
 }
 
-TEST_F(RelayedConnectionTest, ClosesWhenTheServerHasAndTheClientHasItAll) {
+TEST_F(RelayedConnectionTest, ClosesAfterTheServerOnceTheClientHasAllBytes) {
   const std::size_t num_bytes = Fill(door_);
   door_ = Descriptor();
   MoveAll();
@@ -117,7 +117,7 @@ TEST_F(RelayedConnectionTest, ClosesWhenTheServerHasAndTheClientHasItAll) {
   EXPECT_TRUE(relayed_->is_over());
 }
 
-TEST_F(RelayedConnectionTest, TellsTheClientOfAnEndThatCameWithTheLastWords) {
+TEST_F(RelayedConnectionTest, PassesAnEndThatArrivesWithTheLastBytes) {
   SayFrom(door_, "bye");
   door_ = Descriptor();
   MoveAll();
@@ -125,7 +125,7 @@ TEST_F(RelayedConnectionTest, TellsTheClientOfAnEndThatCameWithTheLastWords) {
   EXPECT_TRUE(relayed_->is_over()) << "without waiting for the time of last words";
 }
 
-TEST_F(RelayedConnectionTest, WaitsForLastWordsForAWhileOnly) {
+TEST_F(RelayedConnectionTest, WaitsALimitedTimeForTheLastBytes) {
   Fill(door_);
   door_ = Descriptor();
   MoveAll();
@@ -135,7 +135,7 @@ TEST_F(RelayedConnectionTest, WaitsForLastWordsForAWhileOnly) {
   EXPECT_TRUE(relayed_->is_over());
 }
 
-TEST_F(RelayedConnectionTest, LetsEitherSideEndWhileTheOtherGoesOn) {
+TEST_F(RelayedConnectionTest, LetsEitherSideEndWhileTheOtherContinues) {
   SayFrom(client_, "all");
   ::shutdown(client_.get(), SHUT_WR);
   MoveAll();
@@ -151,7 +151,7 @@ TEST_F(RelayedConnectionTest, LetsEitherSideEndWhileTheOtherGoesOn) {
   EXPECT_TRUE(relayed_->is_over());
 }
 
-TEST_F(RelayedConnectionTest, LetsTheServerEndItsAnswerAndGoOnReading) {
+TEST_F(RelayedConnectionTest, LetsTheServerEndItsAnswerAndContinueReading) {
   ::shutdown(door_.get(), SHUT_WR);
   MoveAll();
   EXPECT_TRUE(IsAtEnd(client_));
@@ -161,7 +161,7 @@ TEST_F(RelayedConnectionTest, LetsTheServerEndItsAnswerAndGoOnReading) {
   EXPECT_EQ(Drain(door_), 4u);
 }
 
-TEST_F(RelayedConnectionTest, IsOverWhenTheClientIsGone) {
+TEST_F(RelayedConnectionTest, EndsWhenTheClientDisconnects) {
   client_ = Descriptor();
   MoveAll();
   EXPECT_TRUE(relayed_->is_over());

@@ -34,11 +34,11 @@ class TlsClient {
   bool Send(std::string_view bytes);
   /// At least one byte; "" at the end.
   std::string Read();
-  /// So many bytes, or fewer at the end.
+  /// `num_bytes` bytes, or fewer at the end.
   std::string ReadExactly(std::size_t num_bytes);
   /// Whether the server agrees to a new handshake on this connection, or a new key.
   bool Renegotiate();
-  /// Tells the server of so many new keys, one after the other.
+  /// Sends `count` key updates, one after the other.
   void UpdateKeys(int count);
 
  private:

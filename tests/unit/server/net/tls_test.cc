@@ -50,7 +50,7 @@ class TlsTest : public DoorTest {
 
 const std::string kPrefaceBytes(kHttp2Preface);
 
-TEST_F(TlsTest, CarriesBytesBothWaysForClientsThatTrustTheCertificate) {
+TEST_F(TlsTest, RelaysBytesBothWaysForClientsThatTrustTheCertificate) {
   const CertificateFiles own = Make("own");
   OpenWith({.cert = own.cert, .key = own.key});
   TlsClient client(door_->port(), Trusting(own));
@@ -105,7 +105,7 @@ TEST_F(TlsTest, EndsAFloodOfNewKeys) {
   EXPECT_TRUE(TlsClient(door_->port(), {}).is_connected()) << "others come in";
 }
 
-TEST_F(TlsTest, WantsHttp2AtOneDoorAndLeavesTheOtherToOldClients) {
+TEST_F(TlsTest, RequiresHttp2AtOneDoorOnly) {
   const CertificateFiles own = Make("own");
   OpenWith({.cert = own.cert, .key = own.key});
   EXPECT_FALSE(TlsClient(door_->port(), {.protocol = "http/1.1"}).is_connected());
@@ -120,7 +120,7 @@ TEST_F(TlsTest, WantsHttp2AtOneDoorAndLeavesTheOtherToOldClients) {
   EXPECT_TRUE(TlsClient(door_->port(), {.protocol = ""}).is_connected());
 }
 
-TEST_F(TlsTest, AsksForCertificatesThatTheAuthorityHasSignedAndTellsTheirNames) {
+TEST_F(TlsTest, RequestsClientCertificatesAndReturnsTheirNames) {
   const CertificateFiles own = Make("own"), authority = Make("authority", {.common_name = "fleet"}),
                          other = Make("other");
   const CertificateFiles robot = Make(
@@ -141,7 +141,7 @@ TEST_F(TlsTest, AsksForCertificatesThatTheAuthorityHasSignedAndTellsTheirNames) 
   EXPECT_EQ(behind_.size(), 0u);
 }
 
-TEST_F(TlsTest, TakesAPairThatFitsAndKeepsTheOldOneOtherwise) {
+TEST_F(TlsTest, ReloadsAMatchingPairAndKeepsTheOldOneOtherwise) {
   const CertificateFiles used = Make("used", {.common_name = "first"});
   const CertificateFiles second = Make("second", {.common_name = "second"});
   const CertificateFiles expired = Make("expired", {.is_expired = true});
@@ -181,7 +181,7 @@ TEST_F(TlsTest, RefusesAKeyThatOthersMayRead) {
   EXPECT_OK(TlsContext::Load({.cert = own.cert, .key = own.key}));
 }
 
-TEST_F(TlsTest, SendsAwayWhoSpeaksInTheClear) {
+TEST_F(TlsTest, RefusesUnencryptedClients) {
   const CertificateFiles own = Make("own");
   OpenWith({.cert = own.cert, .key = own.key});
   http::HttpClient client(door_->port());
@@ -190,7 +190,7 @@ TEST_F(TlsTest, SendsAwayWhoSpeaksInTheClear) {
   EXPECT_TRUE(IsRefused(Refusal::kHandshake));
 }
 
-TEST_F(TlsTest, ServesWhileSilentHandshakesHoldWhatTheyMay) {
+TEST_F(TlsTest, ServesWhileSilentHandshakesUseUpTheirLimit) {
   const CertificateFiles own = Make("own");
   OpenWith({.cert = own.cert, .key = own.key});
   std::vector<std::unique_ptr<http::HttpClient>> silent;

@@ -24,7 +24,7 @@ Result<InheritedSockets> SocketsOf(const std::string& count, const std::string& 
   return SocketsIn({"LISTEN_PID=" + pid, "LISTEN_FDS=" + count, "LISTEN_FDNAMES=" + names}, kPid);
 }
 
-TEST(InheritedSockets, AreTheDescriptorsFromThreeOnByTheirNames) {
+TEST(InheritedSockets, AreTheDescriptorsFromThreeByName) {
   const auto sockets = SocketsOf("3", "rest:grpc:rest");
   ASSERT_OK(sockets);
   EXPECT_EQ(sockets->grpc, std::vector<int>{4});
@@ -39,7 +39,7 @@ TEST(InheritedSockets, AreNotThoseOfAnotherProcess) {
   }
 }
 
-TEST(InheritedSockets, OfAnotherNameAreRefusedWithWhatToCallThem) {
+TEST(InheritedSockets, OfAnotherNameAreRefusedWithTheValidNames) {
   for (const auto& [count, names] : std::vector<std::pair<std::string, std::string>>{
            {"1", "dhpmap.socket"}, {"1", ""}, {"2", "grpc"}, {"1", "grpc:rest"}, {"x", "grpc"}, {"65", "grpc"}}) {
     const auto sockets = SocketsOf(count, names);
@@ -49,7 +49,7 @@ TEST(InheritedSockets, OfAnotherNameAreRefusedWithWhatToCallThem) {
   EXPECT_NE(SocketsOf("1", "dhpmap.socket").status().message().find("grpc or rest"), std::string::npos);
 }
 
-/// Sockets of this test, closed at its end.
+/// Sockets of the test, closed at its end.
 class ListeningSockets : public ::testing::Test {
  protected:
   ~ListeningSockets() override {
@@ -75,7 +75,7 @@ class ListeningSockets : public ::testing::Test {
   std::vector<int> opened_;
 };
 
-TEST_F(ListeningSockets, SayWhereTheyListen) {
+TEST_F(ListeningSockets, ReturnTheirAddress) {
   const auto v4 = AddressOf(OpenV4(INADDR_LOOPBACK));
   ASSERT_OK(v4);
   EXPECT_TRUE(v4->starts_with("127.0.0.1:")) << *v4;
@@ -91,7 +91,7 @@ TEST_F(ListeningSockets, SayWhereTheyListen) {
   EXPECT_EQ(*local, "unix:" + path);
 }
 
-TEST_F(ListeningSockets, AreToldFromOthers) {
+TEST_F(ListeningSockets, AreDistinguishedFromOtherSockets) {
   for (const int socket : {OpenV4(INADDR_LOOPBACK, false), OpenV4(INADDR_LOOPBACK, false, SOCK_DGRAM), -1}) {
     EXPECT_EQ(AddressOf(socket).status().code(), StatusCode::kInvalidArgument);
   }
@@ -99,7 +99,7 @@ TEST_F(ListeningSockets, AreToldFromOthers) {
 
 bool IsOfThisMachine(std::string_view address) { return address.starts_with("127."); }
 
-TEST_F(ListeningSockets, OfSeveralTheOneCountsThatOtherMachinesReach) {
+TEST_F(ListeningSockets, AmongSeveralTheOneReachableFromOtherMachinesCounts) {
   const int near = OpenV4(INADDR_LOOPBACK), far = OpenV4(INADDR_ANY);
   for (const std::vector<int>& sockets : {std::vector<int>{near, far}, {far, near}, {near, far, near}}) {
     const auto address = AddressOf(sockets, IsOfThisMachine);

@@ -17,7 +17,7 @@ namespace {
 
 using testing::FakeManager;
 
-TEST(Notifier, TellsTheManagerInTheWordsOfSdNotify) {
+TEST(Notifier, SendsTheMessagesOfSdNotify) {
   const testing::TempDir folder;
   FakeManager manager((folder.path() / "notify").string());
   ASSERT_TRUE(manager.is_open());
@@ -42,7 +42,7 @@ TEST(Notifier, ReachesAnAbstractName) {
   EXPECT_EQ(manager.Next(), "WATCHDOG=1");
 }
 
-TEST(Notifier, GoesOnWithoutAManager) {
+TEST(Notifier, WorksWithoutAManager) {
   const testing::TempDir folder;
   const std::string none = (folder.path() / "none").string();
   for (const std::string& socket : {std::string(), none, std::string(200, 'x')}) {
@@ -57,7 +57,7 @@ TEST(Notifier, GoesOnWithoutAManager) {
   notifier.TellReady("it has gone");
 }
 
-TEST(Notifier, FindsAVariableByItsWholeName) {
+TEST(Notifier, FindsAVariableByItsFullName) {
   const std::vector<std::string> environment = {"NOTIFY_SOCKET_OLD=/a", "XNOTIFY_SOCKET=/b", "NOTIFY_SOCKET=/c=d",
                                                 "EMPTY=", "NONE"};
   EXPECT_EQ(ValueIn(environment, "NOTIFY_SOCKET"), "/c=d");

@@ -19,7 +19,7 @@ namespace {
 using std::chrono::microseconds;
 using testing::LanePlug;
 
-TEST(WatchdogTime, IsWhatTheManagerGivesThisProcess) {
+TEST(WatchdogTime, IsTheManagersSettingForThisProcess) {
   constexpr int kOwnPid = 42;
   EXPECT_EQ(WatchdogTime({"WATCHDOG_USEC=30000000"}, kOwnPid), microseconds(30'000'000));
   EXPECT_EQ(WatchdogTime({"WATCHDOG_PID=42", "WATCHDOG_USEC=5"}, kOwnPid), microseconds(5));
@@ -34,7 +34,7 @@ LanePulse::Post To(Lane& lane) {
   return [&lane](std::function<void()> work) { return lane.TryPost(std::make_shared<LaneTask>(std::move(work))); };
 }
 
-TEST(LanePulse, IsFeltOnlyOnceTheLaneHasRunTheBeat) {
+TEST(LanePulse, ChangesOnlyOnceTheLaneHasRunTheBeat) {
   std::atomic<int> num_felt = 0;
   {
     Lane lane({.num_threads = 1});
@@ -47,7 +47,7 @@ TEST(LanePulse, IsFeltOnlyOnceTheLaneHasRunTheBeat) {
   EXPECT_EQ(num_felt, 1);
 }
 
-TEST(LanePulse, SendsNoSecondBeatAfterOneThatIsUnderWay) {
+TEST(LanePulse, SendsNoBeatWhileOneIsQueued) {
   std::vector<std::function<void()>> posted;
   int num_felt = 0;
   LanePulse pulse(
@@ -64,7 +64,7 @@ TEST(LanePulse, SendsNoSecondBeatAfterOneThatIsUnderWay) {
   EXPECT_EQ(posted.size(), 2u);
 }
 
-TEST(LanePulse, TriesAgainAfterALaneThatWasFull) {
+TEST(LanePulse, TriesAgainAfterAFullLane) {
   int num_tries = 0;
   LanePulse pulse(
       [&](const std::function<void()>&) {
@@ -77,7 +77,7 @@ TEST(LanePulse, TriesAgainAfterALaneThatWasFull) {
   EXPECT_EQ(num_tries, 2);
 }
 
-TEST(Watchdog, LetsThePulseBeatAgainAndAgainUntilItIsGone) {
+TEST(Watchdog, BeatsPeriodicallyUntilItsDestruction) {
   constexpr int kBeats = 5;
   std::latch felt(kBeats);
   std::atomic<int> num_felt = 0;

@@ -53,7 +53,7 @@ Result<CheckQuestion> Question(const v1::CheckTrajectoryRequest& request) {
   return CheckOptionsFromProto(request.options(), LinksOf(request), *HomeWithAFloor(), kTrajectoryOptions);
 }
 
-TEST(AllowedCollisions, WithoutAnyAllPartsHaveOneEmptyList) {
+TEST(AllowedCollisions, WithoutAnyAllPartsShareAnEmptyList) {
   const auto question = Question(Robot());
   ASSERT_TRUE(question.ok());
   EXPECT_EQ(question->parts.lists, std::vector<Ids>{{}});
@@ -61,7 +61,7 @@ TEST(AllowedCollisions, WithoutAnyAllPartsHaveOneEmptyList) {
   EXPECT_TRUE(question->attached.at(0).may_touch.empty());
 }
 
-TEST(AllowedCollisions, GoToTheLinkTheObjectOrTheWholeRobot) {
+TEST(AllowedCollisions, ApplyToALinkAnObjectOrTheWholeRobot) {
   v1::CheckTrajectoryRequest request = Robot();
   Allow(request, "wheel", " FLOOR");  // named as classes are everywhere
   Allow(request, "", "table");
@@ -79,7 +79,7 @@ TEST(AllowedCollisions, GoToTheLinkTheObjectOrTheWholeRobot) {
   EXPECT_EQ(question->attached.at(0).may_touch, (Ids{SubmapId(2), SubmapId(3)}));
 }
 
-TEST(AllowedCollisions, AClassIsAllItsObjectsAndMayHaveNone) {
+TEST(AllowedCollisions, AClassMeansAllItsObjectsIfAny) {
   v1::CheckTrajectoryRequest request = Robot();
   Allow(request, "body", "chair");
   auto question = Question(request);
@@ -88,7 +88,7 @@ TEST(AllowedCollisions, AClassIsAllItsObjectsAndMayHaveNone) {
   EXPECT_TRUE(question->parts.lists[question->parts.ListOf(1)].empty());
 }
 
-TEST(AllowedCollisions, NameTheFieldAndTheItemThatIsWrong) {
+TEST(AllowedCollisions, ErrorsNameTheFieldAndTheItem) {
   struct Case {
     std::function<void(v1::CheckTrajectoryRequest&)> spoil;
     const char* field;
@@ -155,7 +155,7 @@ TEST(AllowedCollisions, MoreThan64DifferentListsAreRefused) {
   EXPECT_TRUE(ask().ok()) << "63, and that of the last";
 }
 
-TEST(AllowedCollisions, AreNoneOfQueriesThatCheckNothingAndBodiesCarryNothing) {
+TEST(AllowedCollisions, AreRefusedByQueriesWithoutChecksAndBodiesWithoutAttachments) {
   v1::QueryOptions options;
   options.add_allowed_collisions()->set_class_name("floor");
   EXPECT_EQ(QueryOptionsFromProto(options, *HomeWithAFloor(), kDistanceOptions).status().violations().at(0).field,

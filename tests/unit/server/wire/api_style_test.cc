@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can be held of docs/api-style.md: the rules by which the API is named, over the descriptors of its messages.
+// Checks the naming rules of docs/api-style.md on the descriptors of the API's messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::FileDescriptor;
 
-/// The files of the API: those that define services, and what they import of ours.
+/// The files of the API: those that define services, and our files that they import.
 std::set<const FileDescriptor*> Files() {
   std::set<const FileDescriptor*> files;
   const std::function<void(const FileDescriptor*)> add = [&](const FileDescriptor* file) {
@@ -70,7 +70,7 @@ bool EndsInOneOf(const std::string& name, std::initializer_list<const char*> end
   return std::any_of(endings.begin(), endings.end(), [&name](const char* ending) { return name.ends_with(ending); });
 }
 
-TEST(ApiStyle, AllServicesAreLookedAt) {
+TEST(ApiStyle, AllServicesAreChecked) {
   EXPECT_EQ(Files().size(), 16u);
   EXPECT_GT(Fields().size(), 400u);
 }
@@ -161,7 +161,7 @@ TEST(ApiStyle, FlagsAreAdjectivesAndClassZeroIsAClass) {
       EXPECT_FALSE(name.starts_with("is_") || name.starts_with("has_") || name.starts_with("with_"))
           << field->full_name();
     }
-    // What has a class, or may have none, says so: of a score there is always one.
+    // A field for a class marks a missing class; a score always exists.
     if (name == "class_id" && !field->is_repeated() && field->containing_type()->name() != "ClassScore") {
       EXPECT_TRUE(field->has_presence()) << field->full_name();
     }

@@ -41,7 +41,7 @@ std::int64_t NumObserved(const Submap& submap, double limit_m) {
   return count;
 }
 
-TEST(VoxelChunks, CarryEveryVoxelWithinTheLimitInMessagesOfBoundedSize) {
+TEST(VoxelChunks, ContainEveryVoxelWithinTheLimitInMessagesOfBoundedSize) {
   const auto snapshot = Slab();
   for (const double limit_m : {0.0, testing::kVoxel_m}) {
     auto walk = VoxelWalk::Begin(snapshot, SubmapId(1), limit_m);
@@ -73,14 +73,14 @@ TEST(VoxelChunks, OfAnEmptySubmapAreOneMessageWithTheRevision) {
   EXPECT_FALSE(chunks.Next(message));
 }
 
-TEST(VoxelWalk, RefusesWhatItCannotWalk) {
+TEST(VoxelWalk, RefusesInvalidRequests) {
   EXPECT_EQ(VoxelWalk::Begin(Slab(), SubmapId(3), 0).status().reason(), Reason("SUBMAP_NOT_FOUND"));
   for (const double limit_m : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(VoxelWalk::Begin(Slab(), SubmapId(1), limit_m).status().reason(), Reason("BAD_DISTANCE")) << limit_m;
   }
 }
 
-TEST(MeshChunks, PutTogetherAreTheFile) {
+TEST(MeshChunks, JoinedAreTheFile) {
   const MeshRequest pcd{.submap = SubmapId(1), .format = MeshFormat::kPcd};
   std::string bytes, piece;
   auto file = ExportMesh(Slab(), pcd);
@@ -102,7 +102,7 @@ TEST(MeshChunks, PutTogetherAreTheFile) {
   EXPECT_TRUE(received == bytes);
 }
 
-TEST(MeshChunks, OfAnEmptySubmapAreTheHeadOfAFile) {
+TEST(MeshChunks, OfAnEmptySubmapAreTheHeaderOfAFile) {
   MeshChunks none(std::move(*ExportMesh(Slab(), {.submap = SubmapId(2)})));
   v1::GetSubmapMeshResponse message;
   EXPECT_TRUE(none.Next(message));
@@ -110,7 +110,7 @@ TEST(MeshChunks, OfAnEmptySubmapAreTheHeadOfAFile) {
   EXPECT_FALSE(none.Next(message));
 }
 
-TEST(MeshRequestFromProto, TakesKnownValuesAndNamesOthers) {
+TEST(MeshRequestFromProto, AcceptsKnownValuesAndNamesOthers) {
   v1::GetSubmapMeshRequest request;
   const auto plain = MeshRequestFromProto(request, SubmapId(4));
   ASSERT_TRUE(plain.ok());

@@ -32,7 +32,7 @@ class DistanceAnswersTest : public ::testing::Test {
   v1::QueryDistancesResponse response;
 };
 
-TEST_F(DistanceAnswersTest, AreMessagesForPeople) {
+TEST_F(DistanceAnswersTest, AreMessagesInReadableForm) {
   DistanceAnswers answers(request, map, 3, response);
   answers.Append(At(chair, DistanceStatus::kOk));
   answers.Append(At(unknown, DistanceStatus::kUnknown));
@@ -56,7 +56,7 @@ TEST_F(DistanceAnswersTest, AreMessagesForPeople) {
   EXPECT_FALSE(response.results(2).has_gradient() || response.results(2).has_nearest_point_m());
 }
 
-TEST_F(DistanceAnswersTest, AreArraysForMachines) {
+TEST_F(DistanceAnswersTest, AreColumnsInPackedForm) {
   request.set_packed(true);
   DistanceAnswers answers(request, map, 3, response);
   answers.Append(At(chair, DistanceStatus::kUnknown));
@@ -83,7 +83,7 @@ TEST_F(DistanceAnswersTest, AreArraysForMachines) {
   EXPECT_EQ(packed.status(2), v1::QueryStatus::OK);
 }
 
-TEST_F(DistanceAnswersTest, TakeNoMoreMemoryThanSaid) {
+TEST_F(DistanceAnswersTest, StayWithinTheEstimatedMemory) {
   constexpr int kPoints = 10000;
   for (const bool is_packed : {false, true}) {
     request.set_packed(is_packed);

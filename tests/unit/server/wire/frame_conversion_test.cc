@@ -77,7 +77,7 @@ TEST(FrameFromProto, TakesACameraFrame) {
   EXPECT_FALSE(frame->segments[1].class_id.has_value());
 }
 
-TEST(FrameFromProto, AScoreOfZeroIsTheWorstAndNotNone) {
+TEST(FrameFromProto, AScoreOfZeroIsAScore) {
   v1::Frame frame = CameraFrame();
   frame.mutable_segments(0)->set_score(0);
   const auto taken = FrameFromProto(frame);
@@ -86,7 +86,7 @@ TEST(FrameFromProto, AScoreOfZeroIsTheWorstAndNotNone) {
   EXPECT_FALSE(taken->segments[1].score.has_value());
 }
 
-TEST(FrameFromProto, ScalesIntegerDepthAndKeepsItsNoReturns) {
+TEST(FrameFromProto, ScalesIntegerDepthAndKeepsMissingReturns) {
   v1::Frame frame = CameraFrame();
   std::vector<std::uint16_t> depth(kNumPixels, 2000);
   depth[0] = 0;
@@ -101,7 +101,7 @@ TEST(FrameFromProto, ScalesIntegerDepthAndKeepsItsNoReturns) {
   EXPECT_FLOAT_EQ(result->camera->depth_m[2], 2.0f);
 }
 
-TEST(FrameFromProto, TakesSegmentIdsOfEveryWidth) {
+TEST(FrameFromProto, AcceptsSegmentIdsOfEveryWidth) {
   v1::Frame frame = CameraFrame();
   auto* segments = frame.mutable_depth_camera()->mutable_segments();
   SetRaw(std::vector<std::uint8_t>(12, 5), v1::Image::RAW_U8, segments);
@@ -140,7 +140,7 @@ TEST(FrameFromProto, ImagesOfTheWrongSizeOrTypeAreNamed) {
       Set{"depth_camera.segments"});
 }
 
-/// A PNG by its chunks, with no pixels in it.
+/// The header chunks of a PNG, without pixels.
 std::string HeadOfAPng(std::uint8_t width_of_256_px, std::uint8_t height_of_256_px) {
   const std::string width = {0, 0, static_cast<char>(width_of_256_px), 0};
   const std::string height = {0, 0, static_cast<char>(height_of_256_px), 0};
@@ -150,7 +150,7 @@ std::string HeadOfAPng(std::uint8_t width_of_256_px, std::uint8_t height_of_256_
          std::string("\0\0\0\0IEND", 8) + no_crc;
 }
 
-TEST(FrameFromProto, AFileIsHeldAgainstTheCameraBeforeItIsDecoded) {
+TEST(FrameFromProto, AFilesSizeIsComparedWithTheCameraBeforeDecoding) {
   v1::Frame frame = CameraFrame();
   v1::Image& segments = *frame.mutable_depth_camera()->mutable_segments();
   segments.set_encoding(v1::Image::FILE);
@@ -162,7 +162,7 @@ TEST(FrameFromProto, AFileIsHeldAgainstTheCameraBeforeItIsDecoded) {
       << "by its head, which is all there is: " << status.violations()[0].description;
 }
 
-TEST(FrameFromProto, AnUnusableCameraIsNamedBeforeItsImages) {
+TEST(FrameFromProto, AnInvalidCameraIsReportedBeforeItsImages) {
   const auto camera = [](v1::Frame& f) { return f.mutable_depth_camera()->mutable_camera(); };
   EXPECT_EQ(BadFieldsAfter(CameraFrame(), [&](auto& f) { camera(f)->set_width_px(0); }),
             Set{"depth_camera.camera.width_px"});
@@ -216,7 +216,7 @@ TEST(FrameFromProto, EveryBadFieldIsNamedAtOnce) {
   EXPECT_EQ(BadFields(frame), (Set{"map_from_sensor", "segments[1].class_id", "sensor"}));
 }
 
-TEST(FrameFromProto, TakesClassScoresAndTheLikeliestWhereNoClassIsSaid) {
+TEST(FrameFromProto, UsesTheLikeliestClassScoreIfNoClassIsGiven) {
   v1::Frame frame = CameraFrame();
   for (v1::Segment& segment : *frame.mutable_segments()) {
     for (const auto& [class_id, score] : {std::pair(3u, 0.25f), std::pair(7u, 0.5f)}) {
@@ -236,7 +236,7 @@ TEST(FrameFromProto, TakesClassScoresAndTheLikeliestWhereNoClassIsSaid) {
   EXPECT_EQ(BadFields(frame), (Set{"segments[0].class_scores", "segments[1].class_scores"}));
 }
 
-TEST(FrameFromProto, ATableOfTooManySegmentsIsOneFault) {
+TEST(FrameFromProto, ATooLongSegmentTableIsOneViolation) {
   v1::Frame frame = CameraFrame();
   for (int i = 0; i < 70'000; ++i) frame.add_segments()->set_class_id(70'000);
   const auto result = FrameFromProto(frame);
@@ -269,7 +269,7 @@ TEST(FrameFromProto, ListsOfALidarFrameMustFit) {
             (Set{"lidar.camera.image_from_lidar", "lidar.camera"}));
 }
 
-TEST(FrameFromProto, LidarPointsTakeIdsFromTheCameraBesideIt) {
+TEST(FrameFromProto, LidarPointsTakeIdsFromTheFramesCamera) {
   v1::Frame frame = LidarFrame();  // points (0, 1, 2) and (3, 4, 5)
   auto* camera = frame.mutable_lidar()->mutable_camera();
   for (const double value : {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}) camera->add_image_from_lidar(value);
@@ -298,7 +298,7 @@ TEST(PoseConversion, IsItsOwnInverse) {
   EXPECT_TRUE(IsIdentity(*TransformFromProto({}, "pose")));
 }
 
-TEST(DecodedBytes, FollowTheSizesThatAFrameTells) {
+TEST(DecodedBytes, FollowTheDeclaredSizesOfAFrame) {
   EXPECT_GE(DecodedBytes(CameraFrame()), kNumPixels * (sizeof(float) + sizeof(Color) + sizeof(std::uint32_t)));
   EXPECT_GE(DecodedBytes(LidarFrame()), 2 * (sizeof(Eigen::Vector3f) + sizeof(std::uint32_t)));
   v1::Frame large = CameraFrame();

@@ -10,7 +10,7 @@
 namespace dhpmap {
 namespace {
 
-/// Every field off its default, and different from its neighbours.
+/// Every field differs from its default and from its neighbours.
 MapConfig StrangeConfig() {
   MapConfig config;
   int i = 0;
@@ -62,7 +62,7 @@ TEST(MapConversion, ARetiredFieldMayOnlyBeAtItsDefault) {
   EXPECT_EQ(refused.violations()[0].field, "config.integration.carving");
 }
 
-TEST(MapConversion, FieldsThatAreNotSetKeepTheirValue) {
+TEST(MapConversion, UnsetFieldsKeepTheirValue) {
   MapConfig config = StrangeConfig();
   const MapConfig before = config;
   v1::MapConfig proto;

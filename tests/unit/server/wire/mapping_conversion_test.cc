@@ -11,7 +11,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(AckOf, CarriesTheReportOfAFusedFrame) {
+TEST(AckOf, ContainsTheReportOfAFusedFrame) {
   FrameReport report;
   report.num_points = 100;
   report.num_unknown_points = 7;
@@ -32,7 +32,7 @@ TEST(AckOf, CarriesTheReportOfAFusedFrame) {
   EXPECT_EQ(ack.num_created(), 2);
 }
 
-TEST(AckOf, TheTimeOfFusionIsThatOfBundlingTrackingAndFusionAlone) {
+TEST(AckOf, TheFusionTimeCoversBundlingTrackingAndFusion) {
   FrameReport report;
   report.bundle_s = 1;
   report.track_s = 2;
@@ -43,7 +43,7 @@ TEST(AckOf, TheTimeOfFusionIsThatOfBundlingTrackingAndFusionAlone) {
   EXPECT_EQ(AckOf(1, {.report = report}).fusion_s(), 7);
 }
 
-TEST(AckOf, TellsWhatIsStoredAndOfDuplicates) {
+TEST(AckOf, ContainsStoredProgressAndDuplicates) {
   const auto ack = AckOf(42, {.report = FrameReport{}, .revision = 9, .is_duplicate = true, .committed_sequence = 0});
   EXPECT_EQ(ack.outcome(), v1::IntegrateFramesResponse::DUPLICATE);
   ASSERT_TRUE(ack.has_committed_sequence());
@@ -57,7 +57,7 @@ TEST(AckOf, TellsWhatIsStoredAndOfDuplicates) {
   EXPECT_EQ(answer.commit_error().code(), static_cast<int>(StatusCode::kUnavailable));
 }
 
-TEST(AckOf, TellsWhyAFrameWasRefusedInTheWordsOfTheWire) {
+TEST(AckOf, ContainsTheErrorOfARefusedFrameInWireTerms) {
   PanopticFrame frame;
   frame.T_map_sensor.translation().x() = std::nan("");
   frame.lidar.emplace();
@@ -73,7 +73,7 @@ TEST(AckOf, TellsWhyAFrameWasRefusedInTheWordsOfTheWire) {
   EXPECT_EQ(ack.commit_error().message(), "disk ? full");
 }
 
-TEST(AckOf, TellsHowAFrameFits) {
+TEST(AckOf, ContainsThePlausibilityOfAFrame) {
   const auto fits =
       AckOf(1, {.report = FrameReport{}, .check = {.fit = FrameFit{.agreeing_fraction = 0, .median_residual_m = 0.5}}});
   ASSERT_TRUE(fits.fit().has_agreeing_fraction());
@@ -87,7 +87,7 @@ TEST(AckOf, TellsHowAFrameFits) {
   EXPECT_FALSE(AckOf(1, {.report = FrameReport{}}).has_fit()) << "nobody looked at it";
 }
 
-TEST(AckOf, TellsWhatSpeaksAgainstAFrameThatIsRefused) {
+TEST(AckOf, ContainsTheWarningsOfARefusedFrame) {
   const auto ack =
       AckOf(1, {.report = InvalidArgument("no").WithReason("IMPLAUSIBLE_FRAME"),
                 .check = {.fit = FrameFit{.agreeing_fraction = 0.25},
@@ -102,7 +102,7 @@ TEST(AckOf, TellsWhatSpeaksAgainstAFrameThatIsRefused) {
   EXPECT_EQ(ack.warnings(1).message(), "?");
 }
 
-TEST(AckOf, EveryFaultHasAValueOfTheWire) {
+TEST(AckOf, EveryFaultHasAWireValue) {
   for (int i = 0; i <= static_cast<int>(FrameFault::kStampWentBack); ++i) {
     const auto fault = static_cast<FrameFault>(i);
     const auto ack = AckOf(1, {.report = FrameReport{}, .check = {.warnings = {{fault, ""}}}});

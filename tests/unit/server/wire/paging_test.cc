@@ -40,7 +40,7 @@ std::pair<std::vector<int>, std::string> Page(const v1::ListSubmapsRequest& requ
   return {keys, pager->NextToken()};
 }
 
-TEST(Paging, PagesTogetherAreTheListInOrder) {
+TEST(Paging, PagesFormTheListInOrder) {
   for (const int num_items : {0, 1, 6, 7, 8, 14, 15}) {
     std::vector<int> all;
     std::string token;
@@ -57,7 +57,7 @@ TEST(Paging, PagesTogetherAreTheListInOrder) {
   }
 }
 
-TEST(Paging, APageHoldsAThousandItemsAtMost) {
+TEST(Paging, APageContainsAtMostAThousandItems) {
   EXPECT_EQ(Page(Request(), 1500).first.size(), 1000u);
   EXPECT_EQ(Page(Request(5000), 1500).first.size(), 1000u);
   EXPECT_TRUE(Page(Request(), 1000).second.empty());
@@ -68,7 +68,7 @@ TEST(Paging, APageOfLargeItemsIsShorterButNeverEmpty) {
   EXPECT_EQ(Page(Request(), 3, 3'000'000).first.size(), 1u);
 }
 
-TEST(Paging, ATokenIsOfOneRequest) {
+TEST(Paging, ATokenIsValidForOneRequest) {
   const std::string token = Page(Request(2), 10).second;
   EXPECT_TRUE(Pager::Begin(Request(5, token), kNow).ok()) << "the size may change";
   v1::ListSubmapsRequest other = Request(2, token);
@@ -82,7 +82,7 @@ TEST(Paging, ATokenIsOfOneRequest) {
   }
 }
 
-TEST(Paging, ATokenOfALostStateSaysSo) {
+TEST(Paging, ATokenOfALostStateIsRefusedWithAReason) {
   const std::string token = Page(Request(2), 10).second;
   const auto begin = [&token](const PageMark& now) { return Pager::Begin(Request(2, token), now).status(); };
   EXPECT_TRUE(begin({.history_id = kNow.history_id, .revision = 25}).ok()) << "the map went on";
@@ -91,7 +91,7 @@ TEST(Paging, ATokenOfALostStateSaysSo) {
   EXPECT_EQ(begin({.history_id = 1, .revision = 20}).code(), StatusCode::kOutOfRange);
 }
 
-TEST(Paging, ATokenOfAStateThatACrashHasLostIsRefusedHoweverFarTheMapHasGoneOn) {
+TEST(Paging, ATokenOfAStateLostInACrashStaysInvalid) {
   const std::string token = Page(Request(2), 10).second;
   const PageMark later{.history_id = kNow.history_id, .revision = 5000};
   const auto begin = [&](const LostRevisions& lost) { return Pager::Begin(Request(2, token), later, lost).status(); };

@@ -26,7 +26,7 @@ PointInfo Chair() {
           .instance_confidence = 0.75f};
 }
 
-TEST(PointsFromProto, TakesPackedPointsFirst) {
+TEST(PointsFromProto, ReadsPackedPointsFirst) {
   v1::QueryPointsRequest request;
   for (const float value : {1.f, 2.f, 3.f}) request.add_packed_points_m(value);
   request.add_points_m()->set_y(7);
@@ -35,7 +35,7 @@ TEST(PointsFromProto, TakesPackedPointsFirst) {
   EXPECT_EQ(*points_m, (std::vector<Eigen::Vector3d>{{1, 2, 3}, {0, 7, 0}}));
 }
 
-TEST(PointsFromProto, NamesTheFirstThingThatIsWrong) {
+TEST(PointsFromProto, NamesTheFirstViolation) {
   const auto violation = [](const v1::QueryPointsRequest& request, std::int64_t max_points) {
     const Status status = PointsFromProto(request, max_points).status();
     EXPECT_EQ(status.reason(), Reason("BAD_POINTS"));
@@ -54,7 +54,7 @@ TEST(PointsFromProto, NamesTheFirstThingThatIsWrong) {
   EXPECT_EQ(violation(request, 3), std::pair(std::string("points_m[1]"), std::string("is not finite")));
 }
 
-TEST(PointAnswers, AreMessagesOrArraysAsAsked) {
+TEST(PointAnswers, AreMessagesOrColumnsAsRequested) {
   const MapInfo map = MapOfChairs();
   v1::QueryPointsRequest request;
   v1::QueryPointsResponse response;
@@ -98,7 +98,7 @@ TEST(PointAnswers, AreMessagesOrArraysAsAsked) {
   EXPECT_FALSE(packed.free(0) || packed.free(1));
 }
 
-TEST(PointAnswers, TellFreeFromUnknownAndGiveNeitherADistance) {
+TEST(PointAnswers, DistinguishFreeFromUnknownWithoutADistance) {
   const MapInfo map = MapOfChairs();
   for (const bool is_packed : {false, true}) {
     v1::QueryPointsRequest request;
@@ -119,7 +119,7 @@ TEST(PointAnswers, TellFreeFromUnknownAndGiveNeitherADistance) {
   }
 }
 
-TEST(BytesOfAnswers, IsNoLessThanWhatAnswersTake) {
+TEST(BytesOfAnswers, IsAtLeastTheMemoryOfAnswers) {
   constexpr int kPoints = 1000;
   const MapInfo map = MapOfChairs();
   for (const bool is_packed : {false, true}) {

@@ -23,7 +23,7 @@ std::shared_ptr<const MapSnapshot> Home() {
   return map.Publish(0);
 }
 
-TEST(QueryOptionsFromProto, SaysWhichClassWasNear) {
+TEST(QueryOptionsFromProto, SuggestsASimilarClass) {
   v1::QueryOptions options;
   options.add_excluded_class_names("tabel");
   const Status status = QueryOptionsFromProto(options, *Home()).status();
@@ -40,7 +40,7 @@ TEST(QueryOptionsFromProto, HasDefaults) {
   EXPECT_TRUE(IsIdentity(question->T_map_query));
 }
 
-TEST(QueryOptionsFromProto, TakesEveryField) {
+TEST(QueryOptionsFromProto, ReadsEveryField) {
   v1::QueryOptions options;
   options.set_unknown_policy(v1::QueryOptions::FREE);
   options.set_max_distance_m(7);
@@ -78,7 +78,7 @@ TEST(QueryOptionsFromProto, TakesEveryField) {
   EXPECT_TRUE(question->options.scope.with_absent);
 }
 
-TEST(QueryOptionsFromProto, WhatIsAttachedLeavesItsPlaceFreeUnlessItIsToBeUnknown) {
+TEST(QueryOptionsFromProto, AnAttachedObjectLeavesFreeSpaceUnlessSetUnknown) {
   v1::QueryOptions options;
   const auto keeps_unknown = [&] {
     return QueryOptionsFromProto(options, *Home(), kDistanceOptions)->options.scope.keeps_attached_unknown;
@@ -90,7 +90,7 @@ TEST(QueryOptionsFromProto, WhatIsAttachedLeavesItsPlaceFreeUnlessItIsToBeUnknow
   EXPECT_TRUE(keeps_unknown());
 }
 
-TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
+TEST(QueryOptionsFromProto, ErrorsNameTheInvalidFieldAndItem) {
   struct Case {
     std::function<void(v1::QueryOptions&)> spoil;
     const char* field;
@@ -174,7 +174,7 @@ TEST(QueryOptionsFromProto, NamesTheFieldAndTheItemThatIsWrong) {
   }
 }
 
-TEST(QueryOptionsFromProto, RefusesWhatTheQueryHasNoUseFor) {
+TEST(QueryOptionsFromProto, RefusesUnsupportedOptions) {
   struct Case {
     std::function<void(v1::QueryOptions&)> set;
     const char* field;

@@ -17,7 +17,7 @@ void Add(google::protobuf::RepeatedField<float>& list, std::initializer_list<flo
   list.Add(values.begin(), values.end());
 }
 
-TEST(RaysFromProto, TakesPackedRaysFirstAndMakesDirectionsUnit) {
+TEST(RaysFromProto, ReadsPackedRaysFirstAndNormalisesDirections) {
   v1::CastRaysRequest request;
   Add(*request.mutable_packed_origins_m(), {1, 2, 3, 4, 5, 6});
   Add(*request.mutable_packed_directions(), {0, 0, 2, 3, 0, 4});
@@ -31,7 +31,7 @@ TEST(RaysFromProto, TakesPackedRaysFirstAndMakesDirectionsUnit) {
   EXPECT_EQ((*rays)[2].direction, Eigen::Vector3d(0, -1, 0));
 }
 
-TEST(RaysFromProto, OneOriginServesAll) {
+TEST(RaysFromProto, OneOriginAppliesToAllRays) {
   v1::CastRaysRequest request;
   Add(*request.mutable_packed_origins_m(), {1, 2, 3});
   Add(*request.mutable_packed_directions(), {1, 0, 0, 0, 1, 0});
@@ -40,7 +40,7 @@ TEST(RaysFromProto, OneOriginServesAll) {
   EXPECT_EQ((*rays)[1].origin_m, Eigen::Vector3d(1, 2, 3));
 }
 
-TEST(RaysFromProto, NamesTheFirstThingThatIsWrong) {
+TEST(RaysFromProto, NamesTheFirstViolation) {
   struct Case {
     std::function<void(v1::CastRaysRequest&)> fill;
     const char* field;
@@ -107,7 +107,7 @@ class RayAnswersTest : public ::testing::Test {
   v1::CastRaysResponse response;
 };
 
-TEST_F(RayAnswersTest, AreMessagesForPeople) {
+TEST_F(RayAnswersTest, AreMessagesInReadableForm) {
   RayAnswers answers(request, map, response);
   for (const RayHit& hit : {chair, behind_unseen, nothing}) answers.Append(hit);
   EXPECT_EQ(response.revision(), 5);
@@ -126,7 +126,7 @@ TEST_F(RayAnswersTest, AreMessagesForPeople) {
   EXPECT_FALSE(response.results(2).has_point_m() || response.results(2).has_normal());
 }
 
-TEST_F(RayAnswersTest, AreArraysForMachines) {
+TEST_F(RayAnswersTest, AreColumnsInPackedForm) {
   request.set_packed(true);
   RayAnswers answers(request, map, response);
   for (const RayHit& hit : {chair, behind_unseen, nothing}) answers.Append(hit);
@@ -143,7 +143,7 @@ TEST_F(RayAnswersTest, AreArraysForMachines) {
   EXPECT_EQ(packed.status(2), v1::QueryStatus::CLAMPED);
 }
 
-TEST_F(RayAnswersTest, TakeNoMoreMemoryThanSaid) {
+TEST_F(RayAnswersTest, StayWithinTheEstimatedMemory) {
   constexpr int kRays = 10000;
   for (const bool is_packed : {false, true}) {
     request.set_packed(is_packed);

@@ -10,7 +10,7 @@
 namespace dhpmap {
 namespace {
 
-TEST(PatchFromProto, AnUpdateMaskMayOnlyNameWhatCanBeChanged) {
+TEST(PatchFromProto, AnUpdateMaskMayNameOnlyWritableFields) {
   v1::UpdateSubmapRequest request;
   for (const char* path : {"display_name", "class_id", "map_from_submap.rotation.w", "etag", "name"}) {
     request.mutable_update_mask()->add_paths(path);
@@ -22,7 +22,7 @@ TEST(PatchFromProto, AnUpdateMaskMayOnlyNameWhatCanBeChanged) {
   EXPECT_EQ(PatchFromProto(request).status().violations().size(), 3u);
 }
 
-TEST(PatchFromProto, WithoutAMaskTakesWhatIsSet) {
+TEST(PatchFromProto, WithoutAMaskUsesTheSetFields) {
   v1::UpdateSubmapRequest request;
   EXPECT_FALSE(PatchFromProto(request)->T_map_submap || PatchFromProto(request)->pose_change);
   request.mutable_submap()->set_display_name("red chair");
@@ -37,7 +37,7 @@ TEST(PatchFromProto, WithoutAMaskTakesWhatIsSet) {
   EXPECT_TRUE(IsIdentity(Transform(patch->T_map_submap->linear()), 1e-12)) << "a missing rotation is the identity";
 }
 
-TEST(PatchFromProto, AMaskSetsWhatItNamesToWhatIsThereOrNot) {
+TEST(PatchFromProto, AMaskSetsOrClearsItsFields) {
   v1::UpdateSubmapRequest request;
   request.mutable_submap()->set_class_id(7);
   request.mutable_update_mask()->add_paths("display_name");
@@ -47,7 +47,7 @@ TEST(PatchFromProto, AMaskSetsWhatItNamesToWhatIsThereOrNot) {
   EXPECT_FALSE(patch->class_id.has_value());
 }
 
-TEST(PatchFromProto, AStarSetsAllThatCanBeChanged) {
+TEST(PatchFromProto, AStarSetsAllWritableFields) {
   v1::UpdateSubmapRequest request;
   request.mutable_submap()->set_class_id(7);
   request.mutable_submap()->mutable_map_from_submap()->mutable_translation_m()->set_x(2);
@@ -75,7 +75,7 @@ Numbers ChangeOf(const std::vector<std::string>& paths, bool with_rotation) {
   return numbers;
 }
 
-TEST(PatchFromProto, PartOfAPoseIsASetOfSingleNumbers) {
+TEST(PatchFromProto, APartialPoseIsASetOfComponents) {
   constexpr auto kKept = std::nullopt;
   EXPECT_EQ(ChangeOf({"translation_m"}, false), (Numbers{0, 3, 0, kKept, kKept, kKept, kKept}));
   EXPECT_EQ(ChangeOf({"translation_m.y"}, false), (Numbers{kKept, 3, kKept, kKept, kKept, kKept, kKept}));

@@ -46,7 +46,7 @@ v1::WatchFilter FilterByRegion(double low_m, double high_m) {
   return filter;
 }
 
-TEST(WatchConversion, AFilterPassesWhatMeetsAllItsConditionsBeforeOrAfter) {
+TEST(WatchConversion, AFilterSelectsObjectsThatMeetAllConditionsBeforeOrAfter) {
   EXPECT_TRUE(FilterOf({}).Passes(Event(7, 1, 0)));
   v1::WatchFilter filter;
   filter.add_instance_ids(7);
@@ -73,7 +73,7 @@ TEST(WatchConversion, AFilterPassesWhatMeetsAllItsConditionsBeforeOrAfter) {
   EXPECT_FALSE(FilterOf(filter).Passes(event)) << "another was asked for";
 }
 
-TEST(WatchConversion, AFilterOfPartsIsOneOfChangesOnly) {
+TEST(WatchConversion, AFilterOfPartsAppliesToChangesOnly) {
   v1::WatchFilter filter;
   filter.add_parts(v1::SubmapEvent::POSE);
   SubmapEvent event = Event(1, 1, 0);
@@ -102,7 +102,7 @@ TEST(WatchConversion, EveryBadFieldOfAFilterIsNamed) {
                                            "filter.parts"}));
 }
 
-TEST(WatchConversion, BoxesAreAroundTheirTilesWhereTheSubmapIs) {
+TEST(WatchConversion, BoxesEncloseTheirTilesAtTheSubmapsPose) {
   SubmapEvent event = Event(1, 1, 0);
   event.tiles = {{{0, 0, 0}, {1, 0, 0}}};
   const double side_m = 0.1 * 32;
@@ -118,7 +118,7 @@ TEST(WatchConversion, BoxesAreAroundTheirTilesWhereTheSubmapIs) {
   EXPECT_NEAR(box.max_m().y(), 2 * side_m, 1e-12);
 }
 
-TEST(WatchConversion, MessagesOfAChangeHoldWhatPassesEachOnceAndTheLastSaysSo) {
+TEST(WatchConversion, MessagesOfAChangeContainEachSelectedSubmapOnceAndMarkTheLast) {
   const MapInfo map = RoomWithClasses();
   auto change = std::make_shared<MapChange>();
   change->first_revision = 4;
@@ -162,7 +162,7 @@ TEST(WatchConversion, MessagesOfAChangeHoldWhatPassesEachOnceAndTheLastSaysSo) {
   EXPECT_FALSE(ChangeMessages(change, FilterOf(nothing)).has_next());
 }
 
-TEST(WatchConversion, RegionsComeBeforeSubmapsInMessagesOfBoundedSize) {
+TEST(WatchConversion, RegionsPrecedeSubmapsInMessagesOfBoundedSize) {
   const MapInfo map = RoomWithClasses();
   auto change = std::make_shared<MapChange>();
   for (int n = 0; n < 2000; ++n) {
@@ -190,7 +190,7 @@ TEST(WatchConversion, RegionsComeBeforeSubmapsInMessagesOfBoundedSize) {
   EXPECT_TRUE(ChangeMessages(change, {}).has_next()) << "regions alone are told, too";
 }
 
-TEST(WatchConversion, WhatIsGoneKeepsItsNameAndClass) {
+TEST(WatchConversion, RemovedObjectsKeepNameAndClass) {
   SubmapEvent event = Event(7, 1, 0);
   event.kind = ChangeKind::kMerged;
   event.into = SubmapId(3);

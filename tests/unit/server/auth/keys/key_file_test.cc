@@ -39,7 +39,7 @@ class KeyFileTest : public ::testing::Test {
   const std::string path = (folder.path() / "keys").string();
 };
 
-TEST_F(KeyFileTest, WhatIsWrittenIsReadAndHoldsNoKey) {
+TEST_F(KeyFileTest, AWrittenFileIsReadBackAndContainsNoKey) {
   std::string shown;
   std::vector<KeyRecord> written;
   ASSERT_TRUE(
@@ -59,7 +59,7 @@ TEST_F(KeyFileTest, WhatIsWrittenIsReadAndHoldsNoKey) {
   EXPECT_EQ(status.st_mode & 07777, 0600u);
 }
 
-TEST_F(KeyFileTest, ARecordComesBackAsItWas) {
+TEST_F(KeyFileTest, ARecordIsReadBackUnchanged) {
   std::vector<KeyRecord> records;
   ASSERT_TRUE(AddKey({.name = "a", .maps = {"x"}, .expires_s = 99}, 5, KnownBytes(), records).ok());
   records[0].revoked_s = 50;
@@ -68,7 +68,7 @@ TEST_F(KeyFileTest, ARecordComesBackAsItWas) {
   EXPECT_EQ(*read, records[0]);
 }
 
-TEST_F(KeyFileTest, AChangedFileIsSeenToBeAnother) {
+TEST_F(KeyFileTest, AChangedFileIsDetected) {
   ASSERT_TRUE(Add("anna").ok());
   const auto before = *StateOfKeyFile(path);
   EXPECT_EQ(ReadKeyFile(path)->state, before);
@@ -85,7 +85,7 @@ TEST_F(KeyFileTest, AFileThatOthersMayReadOrWriteIsRefused) {
   }
 }
 
-TEST_F(KeyFileTest, LinksAndWhatIsNoFileAreRefused) {
+TEST_F(KeyFileTest, LinksAndOtherThanFilesAreRefused) {
   ASSERT_TRUE(Add("anna").ok());
   const std::string real = path + ".real";
   fs::rename(path, real);
@@ -103,7 +103,7 @@ TEST_F(KeyFileTest, LinksAndWhatIsNoFileAreRefused) {
   EXPECT_FALSE(ReadKeyFile(path).ok()) << "there is none";
 }
 
-TEST_F(KeyFileTest, ALineThatIsNoKeysRefusesTheWholeFile) {
+TEST_F(KeyFileTest, AnInvalidLineRefusesTheWholeFile) {
   ASSERT_TRUE(Add("anna").ok());
   const std::string good = Text();
   const auto with = [&](const std::string& from, const std::string& to) {
@@ -125,7 +125,7 @@ TEST_F(KeyFileTest, ALineThatIsNoKeysRefusesTheWholeFile) {
   EXPECT_TRUE(ReadKeyFile(path).ok());
 }
 
-TEST_F(KeyFileTest, AChangeThatFailsChangesNothing) {
+TEST_F(KeyFileTest, AFailedChangeKeepsTheFile) {
   ASSERT_TRUE(Add("anna").ok());
   const std::string before = Text();
   EXPECT_FALSE(ChangeKeyFile(path, [](std::vector<KeyRecord>& records) {
@@ -135,7 +135,7 @@ TEST_F(KeyFileTest, AChangeThatFailsChangesNothing) {
   EXPECT_EQ(Text(), before);
 }
 
-TEST_F(KeyFileTest, WhoChangesItAtOnceLosesNothing) {
+TEST_F(KeyFileTest, ConcurrentChangesAreAllKept) {
   constexpr int kThreads = 4, kEach = 10;
   std::vector<std::thread> threads;
   for (int t = 0; t < kThreads; ++t) {

@@ -28,7 +28,7 @@ class KeyRingTest : public ::testing::Test {
   std::vector<KeyRecord> records;
 };
 
-TEST_F(KeyRingTest, AKeyIsItsPrincipals) {
+TEST_F(KeyRingTest, AKeyIdentifiesItsPrincipal) {
   const ShownKey anna = Add("anna", Role::kEditor), spot = Add("spot", Role::kRobot);
   const auto found = Find(spot.text);
   ASSERT_TRUE(found.ok());
@@ -40,7 +40,7 @@ TEST_F(KeyRingTest, AKeyIsItsPrincipals) {
   EXPECT_EQ((*Find(anna.text))->key_id, anna.record.id);
 }
 
-TEST_F(KeyRingTest, AnUnknownIdAndAWrongSecretAreToldInTheSameWords) {
+TEST_F(KeyRingTest, AnUnknownIdAndAWrongSecretGetTheSameAnswer) {
   const ShownKey anna = Add("anna", Role::kEditor);
   const std::string unknown = MakeKeyText(random);
   records.push_back(anna.record);
@@ -56,7 +56,7 @@ TEST_F(KeyRingTest, AnUnknownIdAndAWrongSecretAreToldInTheSameWords) {
   }
 }
 
-TEST_F(KeyRingTest, OnlyWhoHasTheSecretLearnsThatAKeyIsOverOrRevoked) {
+TEST_F(KeyRingTest, OnlyTheSecretRevealsThatAKeyIsExpiredOrRevoked) {
   const ShownKey anna = Add("anna", Role::kEditor, kNow_s + 10);
   EXPECT_TRUE(Find(anna.text, kNow_s + 9).ok());
   EXPECT_EQ(Find(anna.text, kNow_s + 10).status().reason(), Reason("KEY_EXPIRED"));
@@ -68,7 +68,7 @@ TEST_F(KeyRingTest, OnlyWhoHasTheSecretLearnsThatAKeyIsOverOrRevoked) {
   EXPECT_EQ(RevokeKeys("nobody", kNow_s, records).status().reason(), Reason("KEY_NOT_FOUND"));
 }
 
-TEST_F(KeyRingTest, WhoIsInStaysInUntilTheKeyChanges) {
+TEST_F(KeyRingTest, AnAdmittedCallerStaysUntilItsKeyChanges) {
   const auto principal = *Find(Add("anna", Role::kEditor, kNow_s + 10).text);
   EXPECT_TRUE(KeyRing(records).Check(*principal, kNow_s + 9).ok());
   EXPECT_FALSE(KeyRing(records).Check(*principal, kNow_s + 10).ok());
@@ -77,7 +77,7 @@ TEST_F(KeyRingTest, WhoIsInStaysInUntilTheKeyChanges) {
   EXPECT_FALSE(KeyRing({}).Check(*principal, kNow_s).ok());
 }
 
-TEST_F(KeyRingTest, ARotatedKeyIsGoodForAWhileBesideTheNewOne) {
+TEST_F(KeyRingTest, ARotatedKeyStaysValidForAWhile) {
   const ShownKey old = Add("anna", Role::kEditor, kNow_s + 1000);
   const auto rotated = RotateKey("anna", 60, kNow_s + 100, random, records);
   ASSERT_TRUE(rotated.ok()) << rotated.status().ToString();
@@ -90,7 +90,7 @@ TEST_F(KeyRingTest, ARotatedKeyIsGoodForAWhileBesideTheNewOne) {
   EXPECT_EQ(RotateKey("anna", 0, kNow_s + 5000, random, records).status().reason(), Reason("KEY_NOT_FOUND"));
 }
 
-TEST_F(KeyRingTest, KeysThatMayDoDifferentThingsAreNotRotatedAsOne) {
+TEST_F(KeyRingTest, KeysWithDifferentRightsAreNotRotatedTogether) {
   Add("anna", Role::kAdmin, kNow_s + 1000);
   Add("anna", Role::kViewer, kNow_s + 1000);
   const auto before = records;
@@ -98,7 +98,7 @@ TEST_F(KeyRingTest, KeysThatMayDoDifferentThingsAreNotRotatedAsOne) {
   EXPECT_EQ(records, before) << "the admin's key stays as it is";
 }
 
-TEST_F(KeyRingTest, KeysThatCannotBeAreNotMade) {
+TEST_F(KeyRingTest, InvalidKeysAreNotMade) {
   const std::vector<NewKey> wrong = {{.name = ""},
                                      {.name = "anna/laptop"},
                                      {.name = "a b"},

@@ -13,7 +13,7 @@
 namespace dhpmap::auth {
 namespace {
 
-TEST(KeyText, IsMadeInItsFormAndReadBack) {
+TEST(KeyText, IsFormattedAndReadBack) {
   const std::string text = MakeKeyText(KnownBytes());
   EXPECT_TRUE(std::regex_match(text, std::regex("dhp_[0-9a-f]{12}_[0-9a-f]{64}_[0-9a-f]{8}"))) << text;
   EXPECT_EQ(text.substr(0, 21), "dhp_010203040506_0708");
@@ -23,7 +23,7 @@ TEST(KeyText, IsMadeInItsFormAndReadBack) {
   EXPECT_EQ(key->secret, text.substr(0, 81));
 }
 
-TEST(KeyText, ASlipOfThePenIsNoKey) {
+TEST(KeyText, ATypoIsNoKey) {
   const std::string text = MakeKeyText(KnownBytes());
   for (std::size_t i = 0; i < text.size(); ++i) {
     std::string wrong = text;

@@ -8,7 +8,7 @@
 
 namespace dhpmap::auth {
 
-/// 1, 2, 3, ...: every key another, and each run the same.
+/// 1, 2, 3, ...: every key differs, and each run is the same.
 inline Randomness KnownBytes() {
   return [next = std::make_shared<unsigned char>(0)](std::span<unsigned char> bytes) {
     for (unsigned char& byte : bytes) byte = ++*next;

@@ -16,7 +16,7 @@ NamePatterns Patterns(std::vector<std::string> texts) {
   return patterns.ok() ? *patterns : NamePatterns();
 }
 
-TEST(NamePatterns, WhatIsLeftOutIsOutWhateverElseMatches) {
+TEST(NamePatterns, ExclusionsWinOverEveryMatch) {
   const NamePatterns sites = Patterns({"site-*", "!site-secret", "lab"});
   for (const char* in : {"site-", "site-a", "site-secret-not", "lab"}) EXPECT_TRUE(sites.Match(in)) << in;
   for (const char* out : {"", "site", "site-secret", "lab2", "Lab", "xsite-a"}) EXPECT_FALSE(sites.Match(out)) << out;
@@ -25,7 +25,7 @@ TEST(NamePatterns, WhatIsLeftOutIsOutWhateverElseMatches) {
   EXPECT_FALSE(Patterns({"!a"}).Match("b")) << "nothing is in that no pattern lets in";
 }
 
-TEST(NamePatterns, AllIsAll) {
+TEST(NamePatterns, AllMatchesEverything) {
   EXPECT_TRUE(NamePatterns::All().match_all());
   EXPECT_TRUE(NamePatterns::All().Match(""));
   EXPECT_FALSE(Patterns({"*", "!x"}).match_all());
@@ -33,7 +33,7 @@ TEST(NamePatterns, AllIsAll) {
   EXPECT_FALSE(NamePatterns().Match("a"));
 }
 
-TEST(NamePatterns, MatchAsAPlainRecursionDoes) {
+TEST(NamePatterns, MatchLikeAPlainRecursion) {
   const std::function<bool(std::string_view, std::string_view)> is_like = [&](std::string_view p, std::string_view n) {
     if (p.empty()) return n.empty();
     if (p[0] == '*') return is_like(p.substr(1), n) || (!n.empty() && is_like(p, n.substr(1)));
@@ -56,13 +56,13 @@ TEST(NamePatterns, MatchAsAPlainRecursionDoes) {
   EXPECT_GT(num_matches, 1'000);
 }
 
-TEST(NamePatterns, ManyStarsTakeNoTimeToSpeakOf) {
+TEST(NamePatterns, ManyStarsAreMatchedQuickly) {
   std::string stars;
   for (int i = 0; i < 100; ++i) stars += "a*";
   EXPECT_FALSE(Patterns({stars + "b"}).Match(std::string(60'000, 'a')));
 }
 
-TEST(NamePatterns, OthersAreRefused) {
+TEST(NamePatterns, InvalidOnesAreRefused) {
   EXPECT_FALSE(NamePatterns::Make({}).ok());
   EXPECT_FALSE(NamePatterns::Make(std::vector<std::string>(NamePatterns::kMostPatterns + 1, "a")).ok());
   for (const char* wrong : {"", "!", "a b", "a/b", "a!", "\xc3\xa4", "maps/a"}) {
