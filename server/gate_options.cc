@@ -22,7 +22,7 @@ auth::GateOptions OptionsOf(const ServerConfig& config, const std::string& key_f
   return {.key_file = key_file,
           .audit_file = config.auth.audit,
           .is_audit_required = config.auth.audit_required,
-          .owners_file = config.db + ".owners",
+          .owners_file = (DatabaseFileOf(config).empty() ? key_file : config.db) + ".owners",
           .limits = {.maps = config.limits.principal_maps,
                      .disk_bytes = static_cast<std::int64_t>(config.limits.principal_disk_mib) << 20,
                      .inflight_fraction = config.limits.principal_inflight_percent / 100.0},

@@ -34,4 +34,4 @@ target_include_directories(dhpmap_locked_server PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(dhpmap_locked_server PUBLIC dhpmap_test_server dhpmap_http_client dhpmap_gateway dhpmap_auth
   GTest::gtest PRIVATE dhpmap_warnings)
 dhpmap_tests(ROOM integration/auth STUBS COST 6 LIBS dhpmap_locked_server)
-dhpmap_tests(ROOM integration/fleet STUBS COST 4 LIBS dhpmap_client dhpmap_locked_server dhpmap_test_postgres_cluster)
+dhpmap_tests(ROOM integration/fleet STUBS COST 6 LIBS dhpmap_client dhpmap_locked_server dhpmap_test_postgres_cluster dhpmap_tls_client dhpmap_net)

@@ -144,8 +144,8 @@ class Gate {
   std::unique_ptr<MapOwners> owners_;  ///< those of a file
   LiveStreams streams_;
 
-  Mutex source_mutex_;  ///< held while keys are read; taken before the other
-  const std::shared_ptr<KeySource> source_ DHPMAP_PT_GUARDED_BY(source_mutex_);
+  Mutex source_mutex_;  ///< taken before the other
+  std::shared_ptr<KeySource> source_ DHPMAP_GUARDED_BY(source_mutex_);
   const double longest_outage_s_;
   mutable Mutex mutex_;
   CondVar changed_;

@@ -149,9 +149,8 @@ void VisitServerFields(Config& c, Visitor&& visit) {
   visit("http.idle_timeout_s", c.http.idle_timeout_s, 0.1, 86400,
         "s; a connection without a request is closed after this");
   visit("http.header_timeout_s", c.http.header_timeout_s, 0.1, 3600, "s that a request's header may take to arrive");
-  visit(
-      "auth.keys", c.auth.keys, 0, 0,
-      "file of keys, see `dhpmap keys`; empty = DB.keys, or the keys in a postgresql:// database; none there: no keys");
+  visit("auth.keys", c.auth.keys, 0, 0,
+        "file of keys, see `dhpmap keys`; empty = DB.keys, or the keys in a database server, if there are any");
   visit("auth.audit", c.auth.audit, 0, 0, "file for who changed what and who was refused, with keys on; empty = off");
   visit("auth.audit_required", c.auth.audit_required, 0, 0,
         "refuse what changes something while auth.audit cannot be written");

@@ -9,13 +9,27 @@
 #include "proto/types/metadata_keys.h"
 #include "server/auth/fleet_key.h"
 #include "server/auth/tickets.h"
+#include "server/grpc/relay/owner_unreachable.h"
 #include "server/grpc/status_conversion.h"
-#include "server/log/log.h"
 
 namespace dhpmap {
 namespace {
 
 constexpr std::string_view kUserAgent = "user-agent", kPassedUserAgent = "x-user-agent";
+constexpr std::size_t kMostAgentBytes = 256;
+constexpr std::size_t kFieldBytes = 32;  // that HTTP/2 counts for a field beside its text
+
+bool IsLegalKey(std::string_view key) {
+  return !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+  });
+}
+
+bool IsLegalValue(std::string_view key, std::string_view value) {
+  constexpr char kFirstPrintable = 0x20, kLastPrintable = 0x7e;
+  return key.ends_with("-bin") ||
+         std::all_of(value.begin(), value.end(), [](char c) { return c >= kFirstPrintable && c <= kLastPrintable; });
+}
 
 bool StaysHere(std::string_view key) {
   static constexpr std::array<std::string_view, 10> kKeys = {
@@ -28,26 +42,36 @@ bool StaysHere(std::string_view key) {
 template <typename Metadata, typename Add>
 void Pass(const Metadata& metadata, const Add& add) {
   for (const auto& [key, value] : metadata) {
-    const std::string_view name(key.data(), key.size());
-    if (!StaysHere(name)) add(std::string(name), std::string(value.data(), value.size()));
+    const std::string_view name(key.data(), key.size()), text(value.data(), value.size());
+    if (PassesOn(name, text)) add(std::string(name), std::string(text));
   }
-}
-
-Status Unreachable(std::string message) {
-  return Unavailable(std::move(message)).WithReason("OWNER_UNREACHABLE").WithMetadata("retry_after_s", "1");
 }
 
 }  // namespace
 
-void PassRequestHead(const grpc::CallbackServerContext& from, grpc::ClientContext& to) {
+bool PassesOn(std::string_view key, std::string_view value) {
+  return !StaysHere(key) && IsLegalKey(key) && IsLegalValue(key, value);
+}
+
+Status PassRequestHead(const grpc::CallbackServerContext& from, grpc::ClientContext& to) {
   const auto& metadata = from.client_metadata();
-  Pass(metadata, [&](std::string key, std::string value) { to.AddMetadata(key, value); });
+  std::size_t num_bytes = 0;
+  Pass(metadata, [&](const std::string& key, const std::string& value) {
+    num_bytes += key.size() + value.size() + kFieldBytes;
+    if (num_bytes <= kMostPassedBytes) to.AddMetadata(key, value);
+  });
+  if (num_bytes > kMostPassedBytes) {
+    return ResourceExhausted("the metadata of the call exceed the " + std::to_string(kMostPassedBytes) +
+                             " bytes that one server passes on to another");
+  }
   const auto agent = metadata.find(grpc::string_ref(kUserAgent.data(), kUserAgent.size()));
   const bool has_passed = metadata.contains(grpc::string_ref(kPassedUserAgent.data(), kPassedUserAgent.size()));
   if (agent != metadata.end() && !has_passed) {
-    to.AddMetadata(std::string(kPassedUserAgent), std::string(agent->second.data(), agent->second.size()));
+    const std::string text(agent->second.data(), std::min(agent->second.size(), kMostAgentBytes));
+    if (PassesOn(kPassedUserAgent, text)) to.AddMetadata(std::string(kPassedUserAgent), text);
   }
   to.set_deadline(from.raw_deadline());
+  return Status::Ok();
 }
 
 void PassAnswerHead(const grpc::ClientContext& from, grpc::CallbackServerContext& to) {
@@ -59,16 +83,20 @@ void PassAnswerEnd(const grpc::ClientContext& from, grpc::CallbackServerContext&
        [&](std::string key, std::string value) { to.AddTrailingMetadata(key, value); });
 }
 
+bool IsConnectionsEnd(const grpc::Status& status) {
+  if (!status.error_details().empty()) return false;
+  const grpc::StatusCode code = status.error_code();
+  // CANCELLED comes from an owner that ends. A client that cancels reads no status.
+  if (code == grpc::UNAUTHENTICATED)
+    return status.error_message().starts_with("BAD_CREDENTIAL");  // else the caller's key
+  return code == grpc::CANCELLED || code == grpc::UNAVAILABLE;
+}
+
 grpc::Status AsOwnerEnded(const grpc::Status& status) {
-  if (!status.error_details().empty()) return status;
-  switch (status.error_code()) {
-    case grpc::CANCELLED:  // by the owner, which ends: a client that cancels reads no status
-    case grpc::UNAVAILABLE: return ToGrpc(Unreachable("the server that writes the map cannot be reached"));
-    case grpc::UNAUTHENTICATED:
-      LogError("another server of the fleet takes no calls from this one: " + status.error_message());
-      return ToGrpc(Unreachable("the server that writes the map does not know this one"));
-    default: return status;
-  }
+  if (!IsConnectionsEnd(status)) return status;
+  const bool is_unknown = status.error_code() == grpc::UNAUTHENTICATED;
+  return ToGrpc(OwnerUnreachable(is_unknown ? "the server that writes the map does not know this one"
+                                            : "the server that writes the map cannot be reached"));
 }
 
 }  // namespace dhpmap

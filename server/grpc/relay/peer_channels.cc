@@ -2,12 +2,9 @@
 #include "server/grpc/relay/peer_channels.h"
 
 #include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
 
 #include <algorithm>
 #include <atomic>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "server/grpc/call_runner.h"
@@ -20,30 +17,22 @@ constexpr int kSilence_ms = 10'000, kSilenceTimeout_ms = 5'000;  // then a peer 
 constexpr int kLeastBackoff_ms = 100, kMostBackoff_ms = 1'000;
 constexpr int kConnect_ms = 3'000;  // for one attempt
 
-std::string TextOfFile(const std::string& path) {
-  if (path.empty()) return {};
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::shared_ptr<grpc::ChannelCredentials> CredentialsOf(const PeerTls& tls) {
-  if (!tls.is_on) return grpc::InsecureChannelCredentials();
-  return grpc::SslCredentials({.pem_root_certs = TextOfFile(tls.ca),
-                               .pem_private_key = TextOfFile(tls.key),
-                               .pem_cert_chain = TextOfFile(tls.cert)});
-}
-
 }  // namespace
 
 struct PeerChannels::Connection {
   std::shared_ptr<grpc::Channel> channel;
+  PeerFileTimes times;  ///< of the files when it was made
   std::atomic<int> num_calls = 0;
 };
 
-std::shared_ptr<PeerChannels::Connection> PeerChannels::Open(const std::string& address) const {
+Result<std::shared_ptr<PeerChannels::Connection>> PeerChannels::Open(const std::string& address,
+                                                                     const PeerFileTimes& times) const {
+  DHPMAP_ASSIGN_OR_RETURN(const auto credentials, PeerCredentials(tls_));
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);  // else all channels to an address share one connection
+  // Else a stream whose client does not read keeps megabytes here that no budget counts.
+  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
   arguments.SetInt(GRPC_ARG_CLIENT_IDLE_TIMEOUT_MS, kIdle_ms);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kSilence_ms);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kSilenceTimeout_ms);
@@ -53,7 +42,8 @@ std::shared_ptr<PeerChannels::Connection> PeerChannels::Open(const std::string& 
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);  // who knows the owner tries again, and gRPC does not
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   auto connection = std::make_shared<Connection>();
-  connection->channel = grpc::CreateCustomChannel(address, CredentialsOf(tls_), arguments);
+  connection->channel = grpc::CreateCustomChannel(address, credentials, arguments);
+  connection->times = times;
   return connection;
 }
 
@@ -65,15 +55,20 @@ void PeerChannels::MakeRoom() {
 }
 
 Result<std::shared_ptr<grpc::Channel>> PeerChannels::Get(const std::string& address) {
+  const PeerFileTimes times = PeerFileTimesOf(tls_);
   const MutexLock lock(mutex_);
   if (!peers_.contains(address) && peers_.size() >= kMostPeers) MakeRoom();
   if (!peers_.contains(address) && peers_.size() >= kMostPeers) return TooBusy();
   Peer& peer = peers_[address];
-  auto found = std::find_if(peer.begin(), peer.end(),
-                            [](const auto& connection) { return connection->num_calls < kMostCallsPerChannel; });
+  // gRPC would show an old certificate at each new handshake for as long as the channel lives.
+  std::erase_if(peer, [&](const auto& old) { return old->times != times && old->num_calls == 0; });
+  auto found = std::find_if(peer.begin(), peer.end(), [&](const auto& connection) {
+    return connection->times == times && connection->num_calls < kMostCallsPerChannel;
+  });
   if (found == peer.end()) {
     if (peer.size() >= kMostChannelsPerPeer) return TooBusy();
-    found = peer.insert(peer.end(), Open(address));
+    DHPMAP_ASSIGN_OR_RETURN(auto opened, Open(address, times));
+    found = peer.insert(peer.end(), std::move(opened));
   }
   const std::shared_ptr<Connection> connection = *found;
   ++connection->num_calls;

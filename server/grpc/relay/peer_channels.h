@@ -11,6 +11,7 @@
 
 #include "mapping/base/mutex.h"
 #include "mapping/base/result.h"
+#include "server/grpc/relay/peer_credentials.h"
 #include "server/grpc/relay/peer_tls.h"
 
 namespace dhpmap {
@@ -26,7 +27,8 @@ class PeerChannels {
   explicit PeerChannels(PeerTls tls) : tls_(std::move(tls)) {}
 
   /// A connection for one call, which holds it as long as it goes on. RESOURCE_EXHAUSTED, reason TOO_BUSY, for more
-  /// calls than the peer's connections take. Does not wait: the call meets the server or not.
+  /// calls than the peer's connections take; UNAVAILABLE as of PeerCredentials. Does not wait: the call meets the
+  /// server or not. After a renewal of the TLS files new calls use new connections.
   Result<std::shared_ptr<grpc::Channel>> Get(const std::string& address) DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] std::size_t num_channels() const DHPMAP_EXCLUDES(mutex_);
@@ -35,7 +37,7 @@ class PeerChannels {
   struct Connection;
   using Peer = std::vector<std::shared_ptr<Connection>>;
 
-  [[nodiscard]] std::shared_ptr<Connection> Open(const std::string& address) const;
+  [[nodiscard]] Result<std::shared_ptr<Connection>> Open(const std::string& address, const PeerFileTimes& times) const;
   /// Of peers that no call goes to.
   void MakeRoom() DHPMAP_REQUIRES(mutex_);
 

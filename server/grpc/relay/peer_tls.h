@@ -5,7 +5,7 @@
 
 namespace dhpmap {
 
-/// How to reach other servers of a fleet: PEM files, read for each new connection, so that renewed ones are used.
+/// How to reach other servers of a fleet: PEM files; new calls use renewed ones.
 struct PeerTls {
   bool is_on = false;
   std::string ca;         ///< who signs the servers' certificates; empty: whom this system trusts

@@ -10,6 +10,7 @@
 #include "server/auth/fleet_key.h"
 #include "server/auth/tickets.h"
 #include "server/grpc/answered_anywhere.h"
+#include "server/grpc/relay/passed_metadata.h"
 
 namespace dhpmap {
 namespace {
@@ -89,6 +90,18 @@ Route Relay::RouteFor(std::string map, bool is_passed_on, const MapOwner& owner)
   if (!owner.is_me && (is_passed_on || !CanPassOn())) route.refusal = NotOwner(owner);
   route.way = !route.refusal.ok() ? Way::kRefuse : owner.is_me ? Way::kHere : Way::kOn;
   return route;
+}
+
+Result<std::shared_ptr<grpc::Channel>> Relay::ChannelTo(const std::string& address) {
+  auto channel = peers_.Get(address);
+  if (channel.status().code() == StatusCode::kUnavailable) {
+    troubles_.Note(address, channel.status().ToString());
+  }
+  return channel;
+}
+
+void Relay::NoteEnd(const std::string& address, const grpc::Status& status) {
+  if (IsConnectionsEnd(status)) troubles_.Note(address, status.error_message());
 }
 
 bool Relay::CanPassOn() const { return !gate().has_keys() || gate().fleet_key() != nullptr; }

@@ -12,6 +12,7 @@
 #include "mapping/base/mutex.h"
 #include "server/grpc/call_runner.h"
 #include "server/grpc/relay/peer_channels.h"
+#include "server/grpc/relay/peer_troubles.h"
 #include "server/grpc/relay/route_fields.h"
 #include "storage/fleet.h"
 
@@ -61,7 +62,10 @@ class Relay {
 
   /// Whether this server can prove to others for whom it asks; without keys nobody asks.
   [[nodiscard]] bool CanPassOn() const;
-  Result<std::shared_ptr<grpc::Channel>> ChannelTo(const std::string& address) { return peers_.Get(address); }
+  /// See PeerChannels::Get.
+  Result<std::shared_ptr<grpc::Channel>> ChannelTo(const std::string& address);
+  /// A call to the server at `address` has ended: logs a trouble of the connection.
+  void NoteEnd(const std::string& address, const grpc::Status& status);
   /// A channel to this server inside the process, for calls that turn out to be its own.
   void SetHere(std::shared_ptr<grpc::Channel> here) DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] std::shared_ptr<grpc::Channel> Here() const DHPMAP_EXCLUDES(mutex_);
@@ -76,6 +80,7 @@ class Relay {
 
   const ServiceContext& context_;
   PeerChannels peers_;
+  PeerTroubles troubles_;
   mutable Mutex mutex_;
   std::shared_ptr<grpc::Channel> here_ DHPMAP_GUARDED_BY(mutex_);
 };

@@ -7,18 +7,27 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "mapping/base/mutex.h"
 #include "server/base/byte_budget.h"
 #include "server/grpc/relay/relay.h"
+#include "server/grpc/relay/request_flow.h"
 #include "server/grpc/relay/upstream_call.h"
 
 namespace dhpmap {
 
-/// A call whose bytes go to the owner of its map, and the answers back: of each direction one message at a time, so
-/// that a slow reader slows the owner. Its owner turns out to be this server where that was not known at first: then it
-/// goes through the process. Deadline, cancellation, metadata, status and details pass through. Keeps itself until gRPC
-/// is done with it.
+/// A call whose bytes go to the owner of its map, and the answers back: one message at a time in each direction, so a
+/// slow reader slows the owner. Deadline, cancellation, metadata, status and details pass through. If this server turns
+/// out to be the owner, the call goes to its own handler through the process.
+///
+/// Life time: `self_` keeps it until gRPC calls OnDone, the upstream call (its UpstreamListener) until OnEnd, and a
+/// question to the database until that is answered. Threads: gRPC's threads call the reactions, one thread of the lane
+/// `loads` asks the database. `mutex_` guards what several of them touch. An answer belongs to one thread at a time,
+/// because the next one is read only after it was written.
+///
+/// Sources: relayed_call.cc begins a call and finds its way, relayed_messages.cc passes messages, relayed_ending.cc
+/// ends the call.
 class RelayedCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                           public UpstreamListener,
                           public std::enable_shared_from_this<RelayedCall> {
@@ -39,21 +48,33 @@ class RelayedCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc:
   void OnEnd(const grpc::Status& status) override;
 
  private:
-  void Begin(Route route, std::optional<grpc::ByteBuffer> first);
-  /// The first message is there.
+  // Beginning.
+  Status Begin(Route route, std::optional<grpc::ByteBuffer> first);
+  /// The first message has arrived, or the client ended without one.
   void Go(Route route);
+  /// Asks the database for the owner of `map_`, then opens the call.
   void Ask();
   void Open(const Route& route);
-  Result<std::shared_ptr<UpstreamCall>> MakeUpstream(const Route& route);
-  /// Sends what has been read, or the client's end, or reads more.
-  void Pump() DHPMAP_EXCLUDES(mutex_);
+  /// A call to another server counts for the caller here, too; within the process it counts once, at its handler.
+  Status EnterOnce() DHPMAP_EXCLUDES(mutex_);
+  /// Not OK: the call has to end with that.
+  Status SetUpstream(const std::shared_ptr<UpstreamCall>& upstream, const Route& route) DHPMAP_EXCLUDES(mutex_);
+
+  // Messages.
+  Status TakeMessage(bool is_first) DHPMAP_EXCLUDES(mutex_);
+  void OnLastRead() DHPMAP_EXCLUDES(mutex_);
   void Read() DHPMAP_EXCLUDES(mutex_);
-  Status TakeIn(std::size_t num_bytes) DHPMAP_EXCLUDES(mutex_);
-  /// The upstream's end ends the call with that.
-  void CutOff(const Status& why) DHPMAP_EXCLUDES(mutex_);
-  /// The owner was another already: the database is asked once more, if nothing is lost by it.
-  bool GoesElsewhere(const grpc::Status& status) DHPMAP_EXCLUDES(mutex_);
+  /// Does the next step of `requests_`.
+  void Pump() DHPMAP_EXCLUDES(mutex_);
+  void PassHeadOnce(UpstreamCall& upstream);
   [[nodiscard]] std::shared_ptr<UpstreamCall> Upstream() const DHPMAP_EXCLUDES(mutex_);
+
+  // Ending.
+  /// Cancels the upstream call; its end ends this call with `why`.
+  void CutOff(const Status& why) DHPMAP_EXCLUDES(mutex_);
+  /// The owner had changed: the call goes to the next one, if nothing is lost by that.
+  bool GoesElsewhere(const grpc::Status& status) DHPMAP_EXCLUDES(mutex_);
+  grpc::Status OutcomeOf(const grpc::Status& status) DHPMAP_EXCLUDES(mutex_);
   void End(const grpc::Status& status) DHPMAP_EXCLUDES(mutex_);
   void End(const Status& status);
 
@@ -62,30 +83,23 @@ class RelayedCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc:
   grpc::CallbackServerContext* const call_;
   const bool is_passed_on_, comes_in_messages_;
   std::shared_ptr<RelayedCall> self_;
-  // Known from the beginning on.
-  auth::PrincipalPtr principal_;
-  std::shared_ptr<ByteBudget> budget_;
-  std::optional<ByteShare> request_share_, answer_share_;
-  // Of the messages' own directions: touched between an operation's start and its end by gRPC alone.
+  auth::PrincipalPtr principal_;        // written in Begin only
+  std::shared_ptr<ByteBudget> budget_;  // likewise; the shares below are of it
+  // gRPC alone touches a buffer between the start and the end of its operation.
+  std::optional<ByteShare> answer_share_;
   grpc::ByteBuffer incoming_, answer_;
-  bool has_told_head_ = false;
+  bool has_passed_head_ = false;
 
   mutable Mutex mutex_;
+  RequestFlow requests_ DHPMAP_GUARDED_BY(mutex_);
   std::shared_ptr<UpstreamCall> upstream_ DHPMAP_GUARDED_BY(mutex_);
+  int num_upstreams_ DHPMAP_GUARDED_BY(mutex_) = 0;
   std::string map_ DHPMAP_GUARDED_BY(mutex_);
-  std::optional<grpc::ByteBuffer> first_ DHPMAP_GUARDED_BY(mutex_);    ///< until an answer shows that it was taken
-  std::optional<grpc::ByteBuffer> pending_ DHPMAP_GUARDED_BY(mutex_);  ///< read, not yet sent
-  Status failure_ DHPMAP_GUARDED_BY(mutex_);                           ///< why the call was cut off here
-  bool is_to_peer_ DHPMAP_GUARDED_BY(mutex_) = false;
-  bool is_entered_ DHPMAP_GUARDED_BY(mutex_) = false;
-  bool is_sending_ DHPMAP_GUARDED_BY(mutex_) = false;
-  bool is_reading_ DHPMAP_GUARDED_BY(mutex_) = false;
-  bool has_client_ended_ DHPMAP_GUARDED_BY(mutex_) = false;
-  bool has_sent_end_ DHPMAP_GUARDED_BY(mutex_) = false;
+  std::string owner_address_ DHPMAP_GUARDED_BY(mutex_);  ///< of the present upstream; empty: this server
+  Status failure_ DHPMAP_GUARDED_BY(mutex_);             ///< why the call was cut off here
+  bool has_entered_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_cancelled_ DHPMAP_GUARDED_BY(mutex_) = false;
   bool is_over_ DHPMAP_GUARDED_BY(mutex_) = false;
-  int num_sent_ DHPMAP_GUARDED_BY(mutex_) = 0;  ///< messages, to the present upstream
-  int num_upstreams_ DHPMAP_GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace dhpmap

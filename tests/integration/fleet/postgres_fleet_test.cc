@@ -117,6 +117,30 @@ TEST_F(PostgresFleet, AFeedFollowsItsMap) {
   EXPECT_EQ(map->Info()->num_frames, 3 + 3 * 2);
 }
 
+TEST_F(PostgresFleet, AStreamRefusesAMessageAboutAMapOfAnotherOwnerAndGoesOn) {
+  ASSERT_OK(b->server.Call(&MapStub::CreateMap, CreateRequest("hall")));
+  for (Process* asked : {a.get(), b.get()}) {  // by its own handler, and through a relay
+    grpc::ClientContext context;
+    const auto stream = asked->server.queries->StreamQueries(&context);
+    const auto ask = [&](const std::string& map) {
+      v1::StreamQueriesRequest request;
+      *request.mutable_query_points() = TestQuery(map);
+      v1::StreamQueriesResponse response;
+      EXPECT_TRUE(stream->Write(request) && stream->Read(&response));
+      return response;
+    };
+    EXPECT_FALSE(ask("room").has_error());
+    const v1::StreamQueriesResponse refused = ask("hall");
+    EXPECT_EQ(refused.error().code(), grpc::UNAVAILABLE);
+    EXPECT_EQ(ReasonOf(refused.error()), "NOT_OWNER");
+    EXPECT_EQ(DetailOf<google::rpc::ErrorInfo>(refused.error()).metadata().at("owner"), b->address());
+    EXPECT_FALSE(ask("room").has_error()) << "the stream goes on";
+    stream->WritesDone();
+    EXPECT_OK(stream->Finish());
+  }
+  EXPECT_EQ(a->server.Call(&FleetStub::ListMapOwners).value().owners_size(), 2);
+}
+
 TEST_F(PostgresFleet, AnEditWithAnIdIsMadeOnceWhicheverServerReceivesIt) {
   v1::UpdateMapRequest rename;
   rename.mutable_map()->set_name("maps/room");

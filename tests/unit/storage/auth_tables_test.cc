@@ -97,10 +97,10 @@ TEST_F(AuthTablesTest, AuditRowsAreListedTheNewestFirst) {
 
 TEST_F(AuthTablesTest, OldAuditRowsAreDeletedByAgeAndByNumber) {
   const auto fill = [this](std::int64_t most_rows, std::int64_t most_age_s) {
+    const auto tables = Open(most_rows, most_age_s);
     Execute("DELETE FROM audit_rows");
     std::vector<AuditRow> rows;
     for (int n = 1; n <= 20; ++n) rows.push_back({.time_s = n, .server = 1, .number = n});
-    const auto tables = Open(most_rows, most_age_s);
     EXPECT_OK(tables->AppendAudit(rows));
     return NumbersOf(*tables, {});
   };

@@ -76,6 +76,19 @@ TEST(ServerConfig, OtherMachinesAreAdmittedOnlyIfConfigured) {
   }
 }
 
+TEST(ServerConfig, KeysOfADatabaseServerAreLookedForOnceItIsAsked) {
+  ServerConfig config;
+  config.grpc.address = "0.0.0.0:1";
+  config.db = "postgresql://dhpmap@db/maps";
+  EXPECT_EQ(Fields(config.Validate()), std::set<std::string>{"grpc.address"}) << "TLS is missing anyway";
+  config.insecure_no_tls = true;
+  EXPECT_TRUE(config.Validate().ok());
+  EXPECT_TRUE(CheckExposure(config, /*has_tls=*/false, /*has_keys=*/true).ok());
+  EXPECT_FALSE(CheckExposure(config, /*has_tls=*/false, /*has_keys=*/false).ok());
+  config.db = "maps.db";
+  EXPECT_FALSE(config.Validate().ok());
+}
+
 TEST(ConfigLoader, APrintedConfigLoadsUnchanged) {
   ServerConfig config;
   config.db = "a \"quoted\" file: #1.db";

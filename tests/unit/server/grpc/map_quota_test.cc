@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "server/auth/keys/key_file.h"
+#include "server/auth/map_owners_table.h"
 #include "storage/store.h"
+#include "tests/support/fake_auth_tables.h"
 #include "tests/support/scenes.h"
 
 namespace dhpmap {
@@ -97,6 +99,38 @@ TEST_F(MapQuotaTest, DoesNotLimitCallersWithoutKeys) {
   ASSERT_TRUE(making.ok());
   EXPECT_EQ(*making, nullptr);
   EXPECT_TRUE(without.CheckFeed(MapInfo{.history_id = 7}).ok());
+}
+
+TEST_F(MapQuotaTest, AMapThatAnotherServerNotesCountsHere) {
+  const auto tables = std::make_shared<testing::FakeAuthTables>();
+  const auto shared = auth::Gate::WithKeys({.key_file = key_file,
+                                            .owners = std::make_shared<auth::MapOwnersTable>(tables),
+                                            .limits = {.maps = 2},
+                                            .look_s = 0})
+                          .value();
+  MapQuota here(*shared, *registry);
+  ASSERT_TRUE(here.Begin(CallerNamed("anna")).ok());
+  for (const char* map : {"a", "b"}) {
+    ASSERT_TRUE(tables->AddMapMaker(registry->Create(MapInfo{.name = map})->info.history_id, "anna").ok());
+  }
+  EXPECT_EQ(here.Begin(CallerNamed("anna")).status().reason(), Reason("OUT_OF_QUOTA"));
+  EXPECT_TRUE(here.Begin(CallerNamed("bert")).ok());
+}
+
+TEST_F(MapQuotaTest, ADatabaseThatDoesNotAnswerKeepsNoRobotOut) {
+  const auto tables = std::make_shared<testing::FakeAuthTables>();
+  const auto shared = auth::Gate::WithKeys({.key_file = key_file,
+                                            .owners = std::make_shared<auth::MapOwnersTable>(tables),
+                                            .limits = {.disk_bytes = 0},
+                                            .look_s = 0})
+                          .value();
+  MapQuota here(*shared, *registry);
+  const MapInfo map = registry->Create(MapInfo{.name = "a"})->info;
+  ASSERT_TRUE(tables->AddMapMaker(map.history_id, "anna").ok());
+  EXPECT_EQ(here.CheckFeed(map).reason(), Reason("OUT_OF_QUOTA"));
+  tables->FailWith(Unavailable("gone"));
+  EXPECT_TRUE(here.CheckFeed(map).ok());
+  EXPECT_EQ(here.Begin(CallerNamed("anna")).status().code(), StatusCode::kUnavailable) << "maps are not made meanwhile";
 }
 
 TEST_F(MapQuotaTest, TheFileDoesNotGrowWithDeletedMaps) {

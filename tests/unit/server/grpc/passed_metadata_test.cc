@@ -19,6 +19,20 @@ TEST(AsOwnerEndedTest, AnUnexplainedEndIsRetryable) {
   }
 }
 
+TEST(PassesOnTest, FieldsThatGrpcCannotSendAreNotPassedOn) {
+  EXPECT_TRUE(PassesOn("x-robot", "7 ~"));
+  EXPECT_TRUE(PassesOn("x-robot-bin", "\x01\xff"));
+  for (const char* value : {"\x01", "\x7f", "\xff", "tab\t"}) EXPECT_FALSE(PassesOn("x-robot", value)) << value;
+  for (const char* key : {"", "X-Robot", "x robot", "x!", ":path", "x\xff"}) EXPECT_FALSE(PassesOn(key, "7")) << key;
+}
+
+TEST(PassesOnTest, CredentialsAndFieldsOfServersAreNotPassedOn) {
+  for (const char* key :
+       {"authorization", "cookie", "dhpmap-fleet-key", "dhpmap-principal", "dhpmap-relayed", "grpc-x"}) {
+    EXPECT_FALSE(PassesOn(key, "7")) << key;
+  }
+}
+
 TEST(AsOwnerEndedTest, TheOwnersStatusIsPassedUnchanged) {
   for (const Status& said : {NotFound("there is no map 'house'").WithReason("MAP_NOT_FOUND"), Cancelled("stopped")}) {
     const grpc::Status status = AsOwnerEnded(ToGrpc(said));

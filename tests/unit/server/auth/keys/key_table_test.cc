@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/auth/keys/key_book.h"
+#include "server/auth/keys/key_ring.h"
 #include "server/auth/keys/key_source.h"
 #include "tests/support/assert_ok.h"
 #include "tests/support/fake_auth_tables.h"
