@@ -12,7 +12,7 @@
 
 namespace dhpmap {
 
-/// A process's copies of maps that others write, which follow their commits.
+/// The copies that a process keeps of other servers' maps, which follow their commits.
 struct FollowingState {
   std::int64_t num_copies = 0;
   std::int64_t bytes = 0;  ///< of memory
@@ -24,7 +24,7 @@ struct FleetServer {
   std::int64_t id = 0;       ///< drawn at its start
   std::string address;       ///< of its gRPC door, for the other servers and for clients
   std::string version;       ///< of the program
-  bool is_alive = false;     ///< it has beaten within the lease, by the clock of who asks
+  bool is_alive = false;     ///< its last beat is younger than the lease, by this process's clock
   bool is_draining = false;  ///< it takes no more maps
   bool is_me = false;
   std::int64_t num_maps = 0;                     ///< that it owns
@@ -55,67 +55,69 @@ struct MapOwner {
   bool is_me = false;
 };
 
-/// A map and its owner; MapOwner::server is 0 if nobody owns it.
+/// A map and its owner; MapOwner::server is 0 if the map has no owner.
 struct OwnedMap {
   std::string map;
   MapOwner owner;
 };
 
-/// The processes that share a store. Each map has at most one owner, which alone writes it; each commit carries the
-/// owner's epoch and is refused once another has taken the map. Thread-safe. Calls ask the database unless they say
-/// otherwise: UNAVAILABLE if it does not answer.
+/// The processes that share a store. Each map has at most one owner, the only process that writes it. Each commit
+/// carries the owner's epoch, and is refused once another process has taken the map. Thread-safe. Calls query the
+/// database unless they say otherwise: UNAVAILABLE if it does not answer.
 class Fleet {
  public:
   virtual ~Fleet() = default;
 
-  /// Where this process can be reached, once its door is open; until then other servers cannot send it anything.
+  /// Publishes the address of this process once its door is open. Until then other servers cannot reach it.
   virtual void Announce(const std::string& address) { (void)address; }
-  /// This process, as the others see it, without FleetServer::following. Asks nobody.
+  /// This process, as the others see it, without FleetServer::following. Makes no queries.
   [[nodiscard]] virtual FleetServer Me() const = 0;
-  /// All that are alive, and the dead that still own maps.
+  /// All living servers, and dead ones that still own maps.
   virtual Result<std::vector<FleetServer>> ListServers() = 0;
 
-  /// Asks nobody.
+  /// Makes no queries.
   [[nodiscard]] virtual FleetSchema Schema() const { return {}; }
   /// Brings the store to the newest schema once every living server knows it; no effect if it is there. After that,
   /// older servers do not start on this store. FAILED_PRECONDITION names the living servers that do not know it;
   /// UNAVAILABLE, too, if a lock is not free in time: nothing is changed then.
   virtual Result<FleetSchema> FinishUpgrade() { return Schema(); }
 
-  /// Up to `max` maps by name, from the first after `after` on, with the owners that the database names, dead ones too.
+  /// At most `max` maps with names above `after`, by name, with their owners in the database, dead ones included.
   virtual Result<std::vector<OwnedMap>> ListOwners(const std::string& after, std::size_t max) = 0;
 
-  /// The owner, if it is known and was confirmed recently enough to act on. Asks nobody, never blocks.
+  /// The owner, if this process knows one that is alive. Makes no queries, never blocks.
   [[nodiscard]] virtual std::optional<MapOwner> KnownOwner(const std::string& map) const = 0;
-  /// The owner. If nobody alive owns the map, this process takes it. NOT_FOUND; UNAVAILABLE, reason OWNER_UNREACHABLE,
-  /// if its owner has died and this process may not take it (it drains, or its own beats fail).
+  /// The owner. If no living server owns the map, this process takes it. NOT_FOUND; UNAVAILABLE, reason
+  /// OWNER_UNREACHABLE, if the owner has died and this process may not take the map (it drains, or its own beats fail).
   virtual Result<MapOwner> OwnerOf(const std::string& map) = 0;
-  /// Another server has said, or proved by its answers, that it is not the owner: forget what is known.
+  /// Forgets the known owner of a map, after that server turned out not to own it.
   virtual void Forget(const std::string& map) = 0;
 
-  /// Gives a map of ours up, once it is closed here, to a server or (0) to whoever asks first. OK if it is not ours.
-  /// FAILED_PRECONDITION if that server is dead or drains.
+  /// Gives up a map of this process that is closed here: to a server, or (0) to the first one that asks for it. OK if
+  /// this process does not own the map. FAILED_PRECONDITION if that server is dead or drains.
   virtual Status GiveUp(const std::string& map, std::int64_t to_server) = 0;
-  /// Sets the callback for maps of ours that another process has taken; the listener closes the open map. Runs on any
-  /// thread, and must be quick. Replaces the previous callback, and waits until no call of that one runs. Empty: none.
+  /// Sets the callback for maps of this process that another one has taken; the listener closes the open map. It runs
+  /// on any thread, and must be quick. Replaces the previous callback, and waits until its calls have ended. Empty:
+  /// none.
   virtual void OnLost(std::function<void(const std::string& map)> on_lost) { (void)on_lost; }
-  /// Takes no more maps. Maps that are ours stay so until they are given up.
+  /// Takes no more maps. This process keeps its maps until they are given up.
   virtual void StopTaking() = 0;
 
-  /// Whether own beats have succeeded recently enough that no other process can have taken our maps: else this process
-  /// must not answer for them. Asks nobody.
+  /// Whether own beats succeeded so recently that no other process can have taken a map of this one. If not, this
+  /// process must not answer for its maps. Makes no queries.
   [[nodiscard]] virtual bool MayAnswer() const = 0;
 
-  /// `on_change(map, revision)` is called, soon after another process has committed, for every map of `SetFollowed`, on
-  /// a thread of the fleet; also for each map that comes to these, and with revision 0 for one that is gone. Once,
-  /// before the first call of SetFollowed.
+  /// Sets the callback for commits of other processes to maps of `SetFollowed`. It runs on a thread of the fleet: soon
+  /// after each commit, once for each map that joins the set, and with revision 0 for a deleted map. Call once, before
+  /// the first SetFollowed.
   virtual void OnChange(std::function<void(const std::string& map, std::int64_t revision)> on_change) = 0;
-  /// The maps whose commits by others are of interest; replaces the last set.
+  /// Sets the maps whose commits are reported; replaces the previous set.
   virtual void SetFollowed(std::vector<std::string> maps) = 0;
-  /// `measure` is called with each beat, so that the other servers know: quick, on any thread. Before SetFollowed.
+  /// Sets the function that measures the copies at each beat, for the other servers to see. It must be quick, and runs
+  /// on any thread. Call before SetFollowed.
   virtual void MeasureFollowing(std::function<FollowingState()> measure) { (void)measure; }
 
-  /// Asks nobody.
+  /// Makes no queries.
   [[nodiscard]] virtual FleetCounts Counts() const { return {}; }
 };
 

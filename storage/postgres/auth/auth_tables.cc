@@ -65,7 +65,7 @@ class PostgresAuthTables final : public AuthTables {
   }
 
  private:
-  /// For what may be written twice: repeated once if the connection was lost.
+  /// For writes that may be repeated: done again once if the connection was lost.
   template <typename Writer>
   Status Write(Writer&& write) {
     return pool_

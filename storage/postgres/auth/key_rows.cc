@@ -11,7 +11,7 @@ constexpr char kReadKeysTask[] = "read the keys";
 constexpr char kWriteKeysTask[] = "write the keys";
 const std::string kKeysVersion = "SELECT version FROM auth_versions WHERE name = 'keys'";
 const std::string kKeyRows = "SELECT id, record FROM auth_keys ORDER BY id LIMIT $1";
-// An error (see IsFenced) if somebody has changed the keys since.
+// Fails (see IsFenced) if the keys have changed since.
 const std::string kRaiseKeysVersion =
     "WITH raised AS (UPDATE auth_versions SET version = version + 1 WHERE name = 'keys' AND version = $1 RETURNING 1) "
     "SELECT 1 / count(*) FROM raised";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What FleetMember's thread does.
+// The work of FleetMember's thread.
 #include <algorithm>
 #include <utility>
 
@@ -14,7 +14,7 @@ constexpr int kBeatsALease = 6;
 constexpr std::int64_t kBeatsUntilTidied = 128;
 constexpr char kBeginTask[] = "connect to the database";
 
-/// A silent database must not keep us from the next beat for longer than we may be silent.
+/// A silent database must not delay the next beat for longer than a lease.
 ConnectionOptions ForBeats(ConnectionOptions options, std::int64_t lease_ns) {
   options.patience = std::chrono::milliseconds(std::max<std::int64_t>(lease_ns / 1'000'000, 200));
   return options;
@@ -50,7 +50,7 @@ FleetMember::~FleetMember() {
   }
   if (thread_.joinable()) thread_.join();
   const MutexLock lock(connection_mutex_);
-  if (!connection_) return;  // silent: others wait for the lease
+  if (!connection_) return;  // the database does not answer: others wait for the lease
   Connection& connection = *connection_;
   (void)Guarded<Status>([&] { return LeaveFleet(connection, peers_.me()); });
 }
@@ -69,7 +69,7 @@ Result<Connection*> FleetMember::Connected() {
   if (connection_ && !connection_->IsBroken()) return &*connection_;
   connection_.reset();
   DHPMAP_ASSIGN_OR_RETURN(Connection opened, Connection::Open(options_));
-  // A beat that a crash of the database loses comes again; none waits for standbys, or for a lock that somebody holds.
+  // Beats need no durability: the next one follows. So none waits for standbys, nor for long for a lock.
   DHPMAP_RETURN_IF_ERROR(opened.Execute("SET synchronous_commit TO off; SET lock_timeout TO 1000", kBeginTask));
   connection_.emplace(std::move(opened));
   return &*connection_;

@@ -17,7 +17,7 @@ FleetSchema FleetMember::Schema() const {
 }
 
 Result<FleetSchema> FleetMember::FinishUpgrade() {
-  DHPMAP_RETURN_IF_ERROR(Beat());  // what is known of the others is of now
+  DHPMAP_RETURN_IF_ERROR(Beat());  // so the other servers' rows are present ones
   const std::int64_t newest = Schema().newest;
   std::vector<ServerRow> dead;
   std::string behind;

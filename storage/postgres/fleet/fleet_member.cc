@@ -128,7 +128,7 @@ Status FleetMember::GiveUp(const std::string& map, std::int64_t to_server) {
     }
   }
   const MutexLock lock(ours->mutex);
-  // To do it twice does no harm: the second time it is not ours.
+  // Repeating it does no harm: the map is then no longer ours.
   const auto given = pool_.Read<bool>([&](Connection& connection) -> Result<bool> {
     DHPMAP_RETURN_IF_ERROR(GiveMap(connection, ours->key, peers_.me(), ours->epoch, to_server));
     return true;

@@ -21,11 +21,11 @@
 
 namespace dhpmap::postgres {
 
-/// This process among those that share a database. One thread with a connection of its own beats, and looks for commits
-/// to followed maps. Thread-safe.
+/// This process as a member of the fleet. One thread with its own connection beats, and looks for commits to followed
+/// maps. Thread-safe.
 class FleetMember final : public Fleet {
  public:
-  /// All outlive it. Begins with Start.
+  /// All outlive it. Call Start next.
   FleetMember(Pool& pool, Peers& peers, MapOwnership& maps, postgres::Schema& schema, ConnectionOptions connection);
   /// Gives all maps up and leaves, if the database answers within seconds.
   ~FleetMember() override;
@@ -63,12 +63,12 @@ class FleetMember final : public Fleet {
   void Loop() DHPMAP_EXCLUDES(mutex_);
   void WakeNow() DHPMAP_EXCLUDES(mutex_);
   [[nodiscard]] ServerRow OwnRow() const DHPMAP_EXCLUDES(mutex_);
-  /// What this process says about its copies; none if the schema has no place for it.
+  /// The state of this process's copies; none if the schema has no columns for it.
   [[nodiscard]] std::optional<FollowingState> Following() const DHPMAP_EXCLUDES(mutex_);
   Status BeatOnce() DHPMAP_EXCLUDES(connection_mutex_, mutex_);
   /// Connects if necessary.
   Result<Connection*> Connected() DHPMAP_REQUIRES(connection_mutex_);
-  /// Which of our maps others have taken while we were silent.
+  /// Drops maps that others have taken while this process did not beat.
   Status LookThroughMaps() DHPMAP_REQUIRES(connection_mutex_);
   [[nodiscard]] FleetServer Describe(const ServerWithMaps& server);
 

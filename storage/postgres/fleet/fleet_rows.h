@@ -14,7 +14,7 @@
 
 namespace dhpmap::postgres {
 
-// What servers write to and read from the database about each other. All by autocommit, one round trip each.
+// The rows by which servers know each other. Each call is one round trip with autocommit.
 
 /// The step of the schema that has the columns of FollowingState.
 inline constexpr std::int64_t kFollowingStep = 6;
@@ -24,8 +24,8 @@ struct BeatAnswer {
   std::vector<ServerRow> rows;
   std::int64_t schema = 0;
 };
-/// Writes our row with another beat. `following`: none if the schema has no columns for it. FAILED_PRECONDITION, reason
-/// NEWER_SCHEMA, if the database was brought to a schema that we do not know.
+/// Writes this process's row with a new beat. `following`: none if the schema has no columns for it.
+/// FAILED_PRECONDITION, reason NEWER_SCHEMA, if this version does not know the database's schema.
 Result<BeatAnswer> WriteBeat(Connection& connection, const ServerRow& me,
                              const std::optional<FollowingState>& following);
 /// All rows.
@@ -51,15 +51,15 @@ struct OwnerRow {
 /// Up to `max` of them by name, after `after`.
 Result<std::vector<OwnerRow>> ReadOwners(Connection& connection, const std::string& after, std::int64_t max);
 
-/// The map's owner gives it to another server, or (0) to nobody. Nothing if it is not the owner with that epoch. Waits
-/// for a commit that is on its way.
+/// Gives a map from its owner to another server, or (0) to none. No effect if that server is not the owner with that
+/// epoch. Waits for a running commit of the map.
 Status GiveMap(Connection& connection, std::int64_t map_key, std::int64_t owner, std::int64_t epoch, std::int64_t to);
-/// A server ends: its maps are nobody's, its row goes.
+/// Removes a server that ends: its maps have no owner then.
 Status LeaveFleet(Connection& connection, std::int64_t server);
 /// Deletes rows of servers that own nothing.
 Status ForgetServers(Connection& connection, std::span<const std::int64_t> servers);
 
-/// Of maps by name: the present revision and commit_id, which changes with every commit. Who is not there is left out.
+/// For maps by name: the present revision and commit_id, which changes with every commit. Leaves out missing maps.
 struct PresentCommit {
   std::int64_t map_key = 0;
   std::int64_t revision = 0;

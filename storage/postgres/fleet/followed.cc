@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How FleetMember learns of what other processes commit.
+// FleetMember's look for commits of other processes.
 #include <utility>
 
 #include "mapping/base/guarded.h"
@@ -56,7 +56,7 @@ Status FleetMember::LookAtFollowed() {
     seen_ = std::move(present);
   }
   for (const auto& change : changed) {
-    const bool is_ours = maps_.Find(change.first) != nullptr;  // whose commits are told where they are made
+    const bool is_ours = maps_.Find(change.first) != nullptr;  // its commits are reported where they are made
     if (!is_ours && on_change_) TellSafely([&] { on_change_(change.first, change.second); });
   }
   return Status::Ok();

@@ -22,7 +22,7 @@ bool Peers::ComesLate(std::int64_t sent_ns) const {
 void Peers::OnBeaten(std::int64_t sent_ns, const std::vector<ServerRow>& rows) {
   const std::int64_t now_ns = time_();
   const MutexLock lock(mutex_);
-  // While nothing was read nobody was seen to be silent.
+  // Silence counts only while rows were read.
   const bool begins_anew = last_sent_ns_ && sent_ns - *last_sent_ns_ >= lease_ns_ / 2;
   last_sent_ns_ = sent_ns;
   for (auto& [server, peer] : peers_) {

@@ -34,12 +34,12 @@ class Peers {
 
   enum class Verdict {
     kAlive,
-    kUnclear,  ///< known, and not seen to beat yet; or own beats do not succeed
+    kUnclear,  ///< no beat was seen yet; or own beats fail
     kDead,
   };
   struct Opinion {
     Verdict verdict = Verdict::kUnclear;
-    std::int64_t beat = kNoRow;  ///< that it rests on
+    std::int64_t beat = kNoRow;  ///< the beat that the verdict rests on
     std::int64_t age_ns = 0;     ///< since that beat was first seen
   };
   struct Judged {
@@ -47,24 +47,25 @@ class Peers {
     Verdict verdict = Verdict::kUnclear;
   };
 
-  /// A beat that was sent at `sent_ns` of Now_ns has succeeded, and these are all rows as they were after it.
+  /// After a successful beat: `sent_ns` (of Now_ns) is when it was sent, `rows` are all rows after it.
   void OnBeaten(std::int64_t sent_ns, const std::vector<ServerRow>& rows) DHPMAP_EXCLUDES(mutex_);
-  /// Whether a beat sent then comes so late after the last one that another process may have taken maps of ours. Then
-  /// what is ours is looked through, after the beat and before OnBeaten.
+  /// Whether a beat sent then is so late that another process may have taken maps of this one. If so, check the maps
+  /// after the beat and before OnBeaten.
   [[nodiscard]] bool ComesLate(std::int64_t sent_ns) const DHPMAP_EXCLUDES(mutex_);
 
-  /// Whether no other process can have taken our maps: a beat succeeded that was sent less than half a lease ago. The
-  /// other half is for answers that are on their way, and for clocks of another speed.
+  /// Whether no other process can have taken maps of this one: a beat sent less than half a lease ago has succeeded.
+  /// The other half allows for answers on their way, and for clocks of different speed.
   [[nodiscard]] bool IsFresh() const DHPMAP_EXCLUDES(mutex_);
-  /// Of a server that owns a map; whoever has no row, too, is watched for a lease.
+  /// The opinion of a server that owns a map. A server without a row is also watched for a lease before it counts as
+  /// dead.
   [[nodiscard]] Opinion OpinionOf(std::int64_t server) DHPMAP_EXCLUDES(mutex_);
-  /// All that have a row, this one too.
+  /// All servers with a row, this one included.
   [[nodiscard]] std::vector<Judged> All() const DHPMAP_EXCLUDES(mutex_);
-  /// As last read; nothing if it has no row.
+  /// The row as last read; nothing if there is none.
   [[nodiscard]] std::optional<ServerRow> Find(std::int64_t server) const DHPMAP_EXCLUDES(mutex_);
-  /// Have been dead for a hundred leases.
+  /// Servers that have been dead for a hundred leases.
   [[nodiscard]] std::vector<std::int64_t> LongDead() const DHPMAP_EXCLUDES(mutex_);
-  /// Living ones that take maps, without this one.
+  /// Living servers that take maps, without this one.
   [[nodiscard]] std::vector<std::int64_t> Takers() const DHPMAP_EXCLUDES(mutex_);
 
   [[nodiscard]] std::int64_t me() const { return me_; }
@@ -74,8 +75,8 @@ class Peers {
  private:
   struct Peer {
     ServerRow row;
-    std::int64_t changed_ns = 0;  ///< when its beat was first seen as it is
-    bool has_beaten = false;      ///< it was seen to change, since own beats succeed
+    std::int64_t changed_ns = 0;  ///< when its present beat was first seen
+    bool has_beaten = false;      ///< its beat was seen to change while own beats succeeded
   };
   void See(const ServerRow& row, std::int64_t now_ns, bool begins_anew) DHPMAP_REQUIRES(mutex_);
   [[nodiscard]] bool IsFreshAt(std::int64_t now_ns) const DHPMAP_REQUIRES(mutex_);

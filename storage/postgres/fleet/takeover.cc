@@ -11,7 +11,7 @@ namespace {
 
 constexpr char kTakeTask[] = "take the map";
 const std::string kWaitBriefly = "SELECT set_config('lock_timeout', '500', true)";
-// Holds the row until the map is taken, so that the owner's next beat comes after that: it then finds what it has lost.
+// Locks the owner's row until the map is taken. So the owner's next beat comes later, and it then finds its loss.
 const std::string kIsStillDead =
     "WITH held AS (SELECT beat FROM servers WHERE server = $1 FOR UPDATE) SELECT 1 / (1 - count(*)) FROM held WHERE "
     "beat <> $2";
@@ -20,7 +20,7 @@ const std::string kEndConnections =
     "SELECT pg_terminate_backend(pid, 1000) FROM pg_stat_activity WHERE application_name = $1 AND usename = "
     "current_user";
 
-/// A damaged row stays as it is: with a new checksum it would pass for a whole one.
+/// A damaged row keeps its checksum: with a new one it would pass as whole.
 MapHead HeadOfNewOwner(const MapHead& seen, std::int64_t server, bool is_damaged) {
   MapHead head = seen;
   ++head.commit_id;

@@ -11,27 +11,27 @@
 
 namespace dhpmap::postgres {
 
-/// How libpq's connections of a server are called, so that others can end them.
+/// The application name of a server's connections, by which others can end them.
 std::string ApplicationName(std::int64_t server);
 
-/// What takes a map.
+/// The takeover of a map.
 struct Taking {
-  MapHead seen;             ///< as it was read: its owner is nobody, dead, or the new one
-  std::int64_t beat = -1;   ///< of that owner if it is dead: the beat that it died with
+  MapHead seen;             ///< the row as read: its owner is none, dead, or the new one
+  std::int64_t beat = -1;   ///< the last beat of that owner, if it is dead
   std::int64_t server = 0;  ///< the new owner
-  bool is_damaged = false;  ///< the row has a wrong checksum: no numbers are left
+  bool is_damaged = false;  ///< the row has a wrong checksum: no numbers are skipped
 };
 
 enum class Taken { kYes, kChangedMeanwhile, kBlocked };
 
-/// Makes a server the owner of a map that is as it was seen, and leaves the numbers that the last owner has reserved:
-/// see MapStore::Reserve. Nothing if the map is not as it was, or its owner has beaten since. kBlocked: the last owner
-/// has held the map for half a second, in a transaction that it does not end.
+/// Makes a server the owner of a map, and skips the numbers that the last owner has reserved (MapStore::Reserve).
+/// kChangedMeanwhile: the map's row has changed, or its owner has beaten since. kBlocked: a transaction of the last
+/// owner has held the map for half a second.
 Result<Taken> Take(Connection& connection, const Taking& taking);
-/// The epoch with which it was taken.
+/// The epoch of the new owner.
 inline std::int64_t EpochOf(const Taking& taking) { return taking.seen.owner_epoch + 1; }
 
-/// Ends all transactions of a server that is dead: one that was stopped within a pipeline would hold its map for ever.
+/// Ends all connections of a dead server. One that was stopped within a pipeline would otherwise hold its map for ever.
 Status EndConnectionsOf(Connection& connection, std::int64_t server);
 
 }  // namespace dhpmap::postgres

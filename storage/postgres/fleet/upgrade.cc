@@ -10,15 +10,15 @@ namespace dhpmap::postgres {
 namespace {
 
 constexpr char kOpenTask[] = "look for other servers";
-constexpr std::int64_t kServersStep = 2;  // has their table
+constexpr std::int64_t kServersStep = 2;  // makes the table of servers
 
-/// Not a step: it is there before the upgrade that needs it. Without it a server counts as of kOldestSchema.
+/// Added before the step that needs it. Without it a server counts as one of kOldestSchema.
 const std::string kAddKnownSchema =
     "SET lock_timeout TO 1000; ALTER TABLE servers ADD COLUMN IF NOT EXISTS knows_schema bigint NOT NULL DEFAULT 4; "
     "RESET lock_timeout";
 
-/// A beat of an older server violates the constraint, be it a new row or one that was there. The division fails if one
-/// has beaten that is not among the dead; none can begin before the transaction ends.
+/// Every later beat of an older server violates the constraint. The division fails if an older server outside `dead`
+/// has beaten; none can beat before the transaction ends.
 std::string ForbidOlderServers(std::int64_t newest, std::span<const ServerRow> dead) {
   std::string text =
       "ALTER TABLE servers DROP CONSTRAINT IF EXISTS servers_know_schema; ALTER TABLE servers ADD CONSTRAINT "
@@ -31,7 +31,7 @@ std::string ForbidOlderServers(std::int64_t newest, std::span<const ServerRow> d
   return text;
 }
 
-/// One that has beaten between two reads, or come.
+/// A server that has beaten, or joined, between two reads.
 std::optional<ServerRow> FindBeating(std::span<const ServerRow> before, std::span<const ServerRow> after) {
   for (const ServerRow& row : after) {
     const auto seen =

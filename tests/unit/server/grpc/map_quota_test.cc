@@ -130,7 +130,7 @@ TEST_F(MapQuotaTest, ADatabaseThatDoesNotAnswerKeepsNoRobotOut) {
   EXPECT_EQ(here.CheckFeed(map).reason(), Reason("OUT_OF_QUOTA"));
   tables->FailWith(Unavailable("gone"));
   EXPECT_TRUE(here.CheckFeed(map).ok());
-  EXPECT_EQ(here.Begin(CallerNamed("anna")).status().code(), StatusCode::kUnavailable) << "maps are not made meanwhile";
+  EXPECT_EQ(here.Begin(CallerNamed("bea")).status().code(), StatusCode::kUnavailable) << "maps are not made meanwhile";
 }
 
 TEST_F(MapQuotaTest, TheFileDoesNotGrowWithDeletedMaps) {

@@ -12,11 +12,19 @@ namespace dhpmap {
 namespace {
 
 TEST(AsOwnerEndedTest, AnUnexplainedEndIsRetryable) {
-  for (const grpc::StatusCode code : {grpc::UNAVAILABLE, grpc::CANCELLED, grpc::UNAUTHENTICATED}) {
-    const grpc::Status status = AsOwnerEnded(grpc::Status(code, ""));
-    EXPECT_EQ(status.error_code(), grpc::UNAVAILABLE) << code;
-    EXPECT_NE(status.error_details().find("OWNER_UNREACHABLE"), std::string::npos) << code;
+  for (const grpc::Status& said : {grpc::Status(grpc::UNAVAILABLE, ""), grpc::Status(grpc::CANCELLED, ""),
+                                   grpc::Status(grpc::UNAUTHENTICATED, "BAD_CREDENTIAL: no such key")}) {
+    const grpc::Status status = AsOwnerEnded(said);
+    EXPECT_EQ(status.error_code(), grpc::UNAVAILABLE) << said.error_code();
+    EXPECT_NE(status.error_details().find("OWNER_UNREACHABLE"), std::string::npos) << said.error_code();
   }
+}
+
+TEST(AsOwnerEndedTest, TheEndOfTheCallersKeyIsPassedUnchanged) {
+  const grpc::Status status =
+      AsOwnerEnded(grpc::Status(grpc::UNAUTHENTICATED, "KEY_REVOKED: the key has been revoked"));
+  EXPECT_EQ(status.error_code(), grpc::UNAUTHENTICATED);
+  EXPECT_EQ(status.error_message(), "KEY_REVOKED: the key has been revoked");
 }
 
 TEST(PassesOnTest, FieldsThatGrpcCannotSendAreNotPassedOn) {

@@ -12,7 +12,7 @@ namespace {
 
 using Step = RequestFlow::Step;
 
-grpc::ByteBuffer Message(std::size_t num_bytes) {
+grpc::ByteBuffer MessageOf(std::size_t num_bytes) {
   const grpc::Slice slice(std::string(num_bytes, 'm'));
   return {&slice, 1};
 }
@@ -23,7 +23,7 @@ class RequestFlowTest : public ::testing::Test {
   void SetUp() override {
     flow.CountIn(budget);
     flow.OnReadBegun();
-    ASSERT_OK(flow.OnRead(Message(10)));
+    ASSERT_OK(flow.OnRead(MessageOf(10)));
   }
   ByteBudget budget{100};
   RequestFlow flow{/*is_stream=*/true};
@@ -36,7 +36,7 @@ TEST_F(RequestFlowTest, ReadsTheNextMessageAfterTheLastOneWasSent) {
   flow.OnSent();
   EXPECT_EQ(flow.Next(), Step::kRead);
   EXPECT_EQ(flow.Next(), Step::kNone) << "while it is read";
-  ASSERT_OK(flow.OnRead(Message(20)));
+  ASSERT_OK(flow.OnRead(MessageOf(20)));
   EXPECT_EQ(flow.Next(), Step::kSend);
   EXPECT_EQ(flow.message().Length(), 20u);
   EXPECT_EQ(budget.used_bytes(), 30u) << "the first one is kept until an answer comes";
@@ -55,7 +55,7 @@ TEST_F(RequestFlowTest, GivesAnotherOwnerEverythingFromTheFirstMessageOn) {
   EXPECT_EQ(flow.Next(), Step::kSend);
   flow.OnSent();
   EXPECT_EQ(flow.Next(), Step::kRead);
-  ASSERT_OK(flow.OnRead(Message(20)));
+  ASSERT_OK(flow.OnRead(MessageOf(20)));
   EXPECT_EQ(flow.Next(), Step::kSend);
   flow.OnNotTaken();
   EXPECT_EQ(flow.Next(), Step::kNone) << "nothing more goes to an upstream call that ends";
@@ -84,7 +84,7 @@ TEST_F(RequestFlowTest, RefusesAMessageBeyondTheBudgetAndReadsNoMore) {
   EXPECT_EQ(flow.Next(), Step::kSend);
   flow.OnSent();
   EXPECT_EQ(flow.Next(), Step::kRead);
-  EXPECT_EQ(flow.OnRead(Message(95)).reason(), Reason("TOO_MANY_BYTES"));
+  EXPECT_EQ(flow.OnRead(MessageOf(95)).reason(), Reason("TOO_MANY_BYTES"));
   EXPECT_EQ(budget.used_bytes(), 10u);
 }
 
@@ -92,8 +92,8 @@ TEST(OneRequestFlowTest, SendsTheRequestAndTheEndTogether) {
   ByteBudget budget(100);
   RequestFlow flow(/*is_stream=*/false);
   flow.CountIn(budget);
-  EXPECT_EQ(flow.SetRequest(Message(101)).reason(), Reason("TOO_MANY_BYTES"));
-  ASSERT_OK(flow.SetRequest(Message(100)));
+  EXPECT_EQ(flow.SetRequest(MessageOf(101)).reason(), Reason("TOO_MANY_BYTES"));
+  ASSERT_OK(flow.SetRequest(MessageOf(100)));
   EXPECT_EQ(flow.Next(), Step::kSendLast);
   flow.OnSent();
   EXPECT_EQ(flow.Next(), Step::kNone);
