@@ -10,7 +10,7 @@
 namespace dhpmap::postgres {
 namespace {
 
-constexpr int kBeatsALease = 6;
+constexpr int kBeatsALease = 12;
 constexpr std::int64_t kBeatsUntilTidied = 128;
 constexpr char kBeginTask[] = "connect to the database";
 
