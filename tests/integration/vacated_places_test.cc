@@ -9,8 +9,8 @@
 namespace dhpmap::testing {
 namespace {
 
-/// A room in which the crate always stood, and in which the chair was placed after its place had been seen free. Stored
-/// in a file, so that servers can restart.
+/// A room with a crate and a chair. Frames show the crate from the start, and the chair's place free before the chair
+/// is placed there. The map is in a file, so servers can restart.
 class VacatedPlaces : public ServerOnFile {
  protected:
   void SetUp() override {
